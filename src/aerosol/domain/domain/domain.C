@@ -1,0 +1,33 @@
+#include "domain.H"
+#include "selectModel.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace aerosol
+{
+    defineTypeNameAndDebug(domain, 0);
+    defineRunTimeSelectionTable(domain, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::aerosol::domain> Foam::aerosol::domain::New
+(
+    const dictionary& dict
+)
+{
+    return selectModel<domain>
+    (
+        dict,
+        "domain",
+        dictionaryConstructorTablePtr_,
+        dict
+    );
+}
+
+
+// ************************************************************************* //
