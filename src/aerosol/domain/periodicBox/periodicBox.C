@@ -1,0 +1,106 @@
+#include "periodicBox.H"
+#include "ITstream.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace aerosol
+{
+    defineTypeNameAndDebug(periodicBox, 0);
+    addToRunTimeSelectionTable(domain, periodicBox, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- A number (a cube) or three numbers
+Foam::vector readLength(const Foam::dictionary& dict)
+{
+    Foam::ITstream& is = dict.lookup("length");
+    const Foam::token first(is);
+
+    Foam::vector length;
+
+    if (first.isNumber())
+    {
+        length = Foam::vector::uniform(first.number());
+    }
+    else
+    {
+        is.putBack(first);
+        is >> length;
+    }
+
+    if (!(Foam::cmptMin(length) > 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'length' of " << dict.name() << " is " << length
+            << ", but every edge of the box must be positive: one number for"
+            << " a cube or (Lx Ly Lz), in metres"
+            << exit(Foam::FatalIOError);
+    }
+
+    return length;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::aerosol::periodicBox::periodicBox(const dictionary& dict)
+{
+    const vector centre = dict.get<vector>("centre");
+    const vector length = readLength(dict);
+
+    bounds_ = boundBox(centre - 0.5*length, centre + 0.5*length);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::aerosol::periodicBox::volume() const
+{
+    return bounds_.volume();
+}
+
+
+Eigen::Array3d Foam::aerosol::periodicBox::period() const
+{
+    const vector span = bounds_.span();
+
+    return {span.x(), span.y(), span.z()};
+}
+
+
+void Foam::aerosol::periodicBox::confine(particleArrays& particles) const
+{
+    for (int k = 0; k < 3; ++k)
+    {
+        const double lower = bounds_.min()[k];
+        const double upper = bounds_.max()[k];
+        const double length = upper - lower;
+
+        for (int i = 0; i < particles.size(); ++i)
+        {
+            double& x = particles.x(k, i);
+
+            if (x < lower || x >= upper)
+            {
+                x -= length*std::floor((x - lower)/length);
+
+                // Rounding may leave it on the upper face
+                x = x < upper ? std::max(x, lower) : lower;
+            }
+        }
+    }
+}
+
+
+// ************************************************************************* //

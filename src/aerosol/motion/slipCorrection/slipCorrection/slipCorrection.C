@@ -1,0 +1,32 @@
+#include "slipCorrection.H"
+#include "selectModel.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace aerosol
+{
+    defineTypeNameAndDebug(slipCorrection, 0);
+    defineRunTimeSelectionTable(slipCorrection, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::aerosol::slipCorrection>
+Foam::aerosol::slipCorrection::New(const dictionary& dict)
+{
+    return selectModelBy<slipCorrection>
+    (
+        "slipCorrection",
+        dict,
+        "slip correction",
+        dictionaryConstructorTablePtr_,
+        dict
+    );
+}
+
+
+// ************************************************************************* //
