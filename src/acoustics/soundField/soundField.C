@@ -1,0 +1,65 @@
+/*---------------------------------------------------------------------------*\
+    acousticDEM: acoustic agglomeration of aerosols
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "soundField.H"
+
+#include "fvMesh.H"
+#include "IOdictionary.H"
+#include "selectModel.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace acoustics
+{
+    defineTypeNameAndDebug(soundField, 0);
+    defineRunTimeSelectionTable(soundField, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::acoustics::soundField::soundField(const scalar frequency)
+:
+    frequency_(frequency)
+{}
+
+
+Foam::autoPtr<Foam::acoustics::soundField> Foam::acoustics::soundField::New
+(
+    const fvMesh& mesh
+)
+{
+    const IOdictionary properties
+    (
+        IOobject
+        (
+            "acousticProperties",
+            mesh.time().constant(),
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+
+    const dictionary& dict = properties.subDict("sound");
+
+    Info<< "Sound: " << dict.get<word>("type") << endl;
+
+    return selectModel<soundField>
+    (
+        dict,
+        "sound",
+        dictionaryConstructorTablePtr_,
+        mesh,
+        dict
+    );
+}
+
+
+// ************************************************************************* //

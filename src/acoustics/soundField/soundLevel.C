@@ -1,0 +1,112 @@
+/*---------------------------------------------------------------------------*\
+    acousticDEM: acoustic agglomeration of aerosols
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "soundLevel.H"
+
+#include "checkedEntry.H"
+#include "dictionary.H"
+#include "gasProperties.H"
+
+#include <algorithm>
+#include <cmath>
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::acoustics::soundLevel::soundLevel
+(
+    const scalar pAmplitude,
+    const scalar uAmplitude
+)
+:
+    pAmplitude_(pAmplitude),
+    uAmplitude_(uAmplitude)
+{}
+
+
+// * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
+
+Foam::acoustics::soundLevel Foam::acoustics::soundLevel::fromSPL
+(
+    const scalar SPL,
+    const gasProperties& gas
+)
+{
+    const scalar pAmplitude =
+        std::sqrt(2.0)*pReference*std::pow(10.0, SPL/20);
+
+    return soundLevel(pAmplitude, pAmplitude/(gas.rho*gas.c));
+}
+
+
+Foam::acoustics::soundLevel Foam::acoustics::soundLevel::fromVelocity
+(
+    const scalar uAmplitude,
+    const gasProperties& gas
+)
+{
+    return soundLevel(gas.rho*gas.c*uAmplitude, uAmplitude);
+}
+
+
+Foam::acoustics::soundLevel Foam::acoustics::soundLevel::read
+(
+    const dictionary& dict,
+    const gasProperties& gas
+)
+{
+    if (dict.found("SPL") == dict.found("velocityAmplitude"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Give exactly one of the entries SPL (dB, rms, at the pressure"
+            << " antinode) and velocityAmplitude (m/s, peak)"
+            << exit(FatalIOError);
+    }
+
+    if (dict.found("SPL"))
+    {
+        return fromSPL(readFinite(dict, "SPL", dimless), gas);
+    }
+
+    return fromVelocity
+    (
+        readNonNegative(dict, "velocityAmplitude", dimVelocity, 0),
+        gas
+    );
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::acoustics::soundLevel::pRms() const
+{
+    return pAmplitude_/std::sqrt(2.0);
+}
+
+
+Foam::scalar Foam::acoustics::soundLevel::SPL() const
+{
+    // Silence is a level of minus infinity, which cannot be printed
+    return 20*std::log10(std::max(pRms(), VSMALL)/pReference);
+}
+
+
+// * * * * * * * * * * * * * * * Global Operators  * * * * * * * * * * * * * //
+
+Foam::Ostream& Foam::acoustics::operator<<
+(
+    Ostream& os,
+    const soundLevel& level
+)
+{
+    os  << level.SPL() << " dB: p_rms " << level.pRms()
+        << " Pa, p_amp " << level.pAmplitude()
+        << " Pa at the pressure antinode, u0 " << level.uAmplitude()
+        << " m/s at the velocity antinode";
+
+    return os;
+}
+
+
+// ************************************************************************* //
