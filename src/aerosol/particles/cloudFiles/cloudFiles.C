@@ -1,0 +1,464 @@
+#include "cloudFiles.H"
+
+#include "IOdictionary.H"
+#include "IOField.H"
+#include "ListListOps.H"
+#include "ListOps.H"
+#include "OSspecific.H"
+#include "Pstream.H"
+#include "Time.H"
+#include "passiveParticleCloud.H"
+#include "polyMesh.H"
+#include "polyMeshTetDecomposition.H"
+#include "treeDataCell.H"
+
+#include <algorithm>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Text with all digits of a double, for as long as this lives
+class allDigits
+{
+    const unsigned int previous_;
+
+public:
+
+    allDigits()
+    :
+        previous_(Foam::IOstream::defaultPrecision(17))
+    {}
+
+    ~allDigits()
+    {
+        Foam::IOstream::defaultPrecision(previous_);
+    }
+};
+
+
+Foam::vector column(const Foam::aerosol::vectors& v, const int i)
+{
+    return Foam::vector(v(0, i), v(1, i), v(2, i));
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::IOobject Foam::aerosol::cloudFiles::stateIO
+(
+    const IOobject::readOption readOption
+) const
+{
+    return IOobject
+    (
+        cloud_->name() + "State",
+        mesh_.time().timeName(),
+        "uniform",
+        mesh_,
+        readOption,
+        IOobject::NO_WRITE,
+        false
+    );
+}
+
+
+Foam::List<Foam::tetIndices> Foam::aerosol::cloudFiles::locate
+(
+    const vectors& x
+) const
+{
+    List<tetIndices> places(x.cols());
+
+    if (!mesh_.nCells())
+    {
+        return places;
+    }
+
+    // Neighbours in the arrays are often neighbours in space
+    label hint = -1;
+
+    forAll(places, i)
+    {
+        if (!x.col(i).allFinite())
+        {
+            continue;
+        }
+
+        const point p(column(x, i));
+
+        if (hint >= 0)
+        {
+            places[i] = polyMeshTetDecomposition::findTet(mesh_, hint, p);
+        }
+
+        if (places[i].cell() < 0)
+        {
+            const label celli = mesh_.cellTree().findInside(p);
+
+            if (celli >= 0)
+            {
+                places[i] = polyMeshTetDecomposition::findTet(mesh_, celli, p);
+                hint = celli;
+            }
+        }
+    }
+
+    return places;
+}
+
+
+Foam::labelList Foam::aerosol::cloudFiles::mine
+(
+    const particleArrays& particles,
+    const UList<tetIndices>& places
+) const
+{
+    const label nobody = Pstream::nProcs();
+
+    labelList writer(places.size(), nobody);
+
+    forAll(places, i)
+    {
+        if (places[i].cell() >= 0)
+        {
+            writer[i] = Pstream::myProcNo();
+        }
+    }
+
+    Pstream::listCombineGather(writer, minEqOp<label>());
+    Pstream::listCombineScatter(writer);
+
+    const label lost = writer.find(nobody);
+
+    if (lost >= 0)
+    {
+        FatalErrorInFunction
+            << std::count(writer.cbegin(), writer.cend(), nobody) << " of the "
+            << particles.size() << " particles are outside the mesh, which"
+            << " lies within " << mesh_.bounds() << nl
+            << "The first of them, of id " << particles.id(lost) << ", is at "
+            << column(particles.x, lost)
+            << exit(FatalError);
+    }
+
+    return findIndices(writer, Pstream::myProcNo());
+}
+
+
+template<class Type, class Value>
+bool Foam::aerosol::cloudFiles::writeField
+(
+    const word& name,
+    const labelUList& particles,
+    const Value& value
+) const
+{
+    IOField<Type> field
+    (
+        cloud_->fieldIOobject(name, IOobject::NO_READ),
+        particles.size()
+    );
+
+    forAll(particles, k)
+    {
+        field[k] = value(particles[k]);
+    }
+
+    return field.write(!particles.empty());
+}
+
+
+bool Foam::aerosol::cloudFiles::writeState
+(
+    const dictionary& state,
+    const label size
+) const
+{
+    IOdictionary io(stateIO(IOobject::NO_READ), state);
+
+    io.set("particles", size);
+
+    return io.writeObject
+    (
+        IOstream::ASCII,
+        IOstream::currentVersion,
+        IOstream::UNCOMPRESSED,
+        true
+    );
+}
+
+
+template<class Type>
+Foam::Field<Type> Foam::aerosol::cloudFiles::readField(const word& name) const
+{
+    IOobject io(cloud_->fieldIOobject(name, IOobject::MUST_READ));
+
+    // A rank without particles has no files
+    const bool mine = io.typeHeaderOk<IOField<Type>>(true);
+
+    List<Field<Type>> parts(Pstream::nProcs());
+    parts[Pstream::myProcNo()] = IOField<Type>(io, mine);
+    Pstream::gatherList(parts);
+    Pstream::scatterList(parts);
+
+    return ListListOps::combine<Field<Type>>(parts, accessOp<Field<Type>>());
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::aerosol::cloudFiles::cloudFiles
+(
+    const polyMesh& mesh,
+    const word& cloudName
+)
+:
+    mesh_(mesh),
+    cloud_
+    (
+        new passiveParticleCloud(mesh, cloudName, IDLList<passiveParticle>())
+    )
+{
+    cloud_->regIOobject::checkOut();
+}
+
+
+Foam::aerosol::cloudFiles::~cloudFiles() = default;
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::aerosol::cloudFiles::found() const
+{
+    bool here = stateIO(IOobject::MUST_READ).typeHeaderOk<IOdictionary>(true);
+
+    for (const word name : {"coordinates", "positions"})
+    {
+        IOobject io(cloud_->fieldIOobject(name, IOobject::MUST_READ));
+
+        here = io.typeHeaderOk<IOField<vector>>(false) || here;
+    }
+
+    return returnReduce(here, orOp<bool>());
+}
+
+
+Foam::dictionary Foam::aerosol::cloudFiles::read
+(
+    particleArrays& particles
+) const
+{
+    if (!stateIO(IOobject::MUST_READ).typeHeaderOk<IOdictionary>(true))
+    {
+        FatalErrorInFunction
+            << "The cloud " << cloud_->name() << " of time "
+            << mesh_.time().timeName() << " comes without the file "
+            << stateIO(IOobject::MUST_READ).objectPath()
+            << ", so that the run cannot be continued from there"
+            << exit(FatalError);
+    }
+
+    const IOdictionary state(stateIO(IOobject::MUST_READ));
+    const label size = state.get<label>("particles");
+
+    const Field<label> id(readField<label>("id"));
+    const Field<label> primaries(readField<label>("primaries"));
+    const Field<scalar> d(readField<scalar>("d"));
+    const Field<scalar> mass(readField<scalar>("mass"));
+    const Field<vector> position(readField<vector>("position"));
+    const Field<vector> U(readField<vector>("U"));
+
+    for
+    (
+        const auto& field : std::initializer_list<std::pair<word, label>>
+        {
+            {"id", id.size()},
+            {"primaries", primaries.size()},
+            {"d", d.size()},
+            {"mass", mass.size()},
+            {"position", position.size()},
+            {"U", U.size()}
+        }
+    )
+    {
+        if (field.second != size)
+        {
+            FatalIOErrorInFunction(state)
+                << "There were " << size << " particles, but the files '"
+                << field.first << "' of the cloud " << cloud_->name()
+                << " in time " << mesh_.time().timeName() << " have "
+                << field.second << " values"
+                << exit(FatalIOError);
+        }
+    }
+
+    labelList order;
+    sortedOrder(id, order);
+
+    particles.resize(size);
+
+    forAll(order, i)
+    {
+        const label k = order[i];
+
+        if (i && id[k] == id[order[i-1]])
+        {
+            FatalIOErrorInFunction(state)
+                << "The particle of id " << id[k] << " is there twice"
+                << " in the cloud " << cloud_->name() << " in time "
+                << mesh_.time().timeName()
+                << exit(FatalIOError);
+        }
+
+        particles.id(i) = id[k];
+        particles.primaries(i) = primaries[k];
+        particles.d(i) = d[k];
+        particles.m(i) = mass[k];
+
+        for (direction cmpt = 0; cmpt < vector::nComponents; ++cmpt)
+        {
+            particles.x(cmpt, i) = position[k][cmpt];
+            particles.v(cmpt, i) = U[k][cmpt];
+        }
+    }
+
+    return state;
+}
+
+
+void Foam::aerosol::cloudFiles::write
+(
+    const particleArrays& p,
+    const dictionary& state
+) const
+{
+    for (int i = 0; i < p.size(); ++i)
+    {
+        if
+        (
+            p.id(i) < 0
+         || p.id(i) > labelMax
+         || p.primaries(i) > labelMax
+        )
+        {
+            FatalErrorInFunction
+                << "Particle " << p.id(i) << " of "
+                << p.primaries(i) << " primaries cannot be written:"
+                << " with the labels of this OpenFOAM, both numbers must be"
+                << " within 0 and " << labelMax
+                << exit(FatalError);
+        }
+    }
+
+    const List<tetIndices> places(locate(p.x));
+    const labelList mine(this->mine(p, places));
+
+    // The counter is common to all clouds of the program: not ours to advance
+    const label counter = particle::particleCount_;
+
+    for (const label i : mine)
+    {
+        const tetIndices& place = places[i];
+
+        auto onDisk = autoPtr<passiveParticle>::New
+        (
+            mesh_,
+            place.tet(mesh_).pointToBarycentric(column(p.x, i)),
+            place.cell(),
+            place.face(),
+            place.tetPt()
+        );
+
+        onDisk->origId() = label(p.id(i));
+        onDisk->origProc() = 0;
+
+        cloud_->addParticle(onDisk.ptr());
+    }
+
+    particle::particleCount_ = counter;
+
+    const allDigits asText;
+
+    // A rank without particles writes no files; those of an earlier run with
+    // the same time would be taken for its own
+    if (mine.empty())
+    {
+        rmDir(cloud_->fieldIOobject("id", IOobject::NO_READ).path(), true);
+    }
+
+    const Time& runTime = mesh_.time();
+
+    bool ok = cloud_->writeObject
+    (
+        runTime.writeFormat(),
+        IOstream::currentVersion,
+        runTime.writeCompression(),
+        !mine.empty()
+    );
+
+    cloud_->clear();
+
+    ok &= writeField<label>("id", mine, [&](label i) { return p.id(i); });
+    ok &= writeField<label>
+    (
+        "primaries", mine, [&](label i) { return p.primaries(i); }
+    );
+    ok &= writeField<scalar>("d", mine, [&](label i) { return p.d(i); });
+    ok &= writeField<scalar>("mass", mine, [&](label i) { return p.m(i); });
+    ok &= writeField<vector>
+    (
+        "position", mine, [&](label i) { return column(p.x, i); }
+    );
+    ok &= writeField<vector>
+    (
+        "U", mine, [&](label i) { return column(p.v, i); }
+    );
+
+    // Last: what it describes is complete
+    ok &= writeState(state, p.size());
+
+    if (!returnReduce(ok, andOp<bool>()))
+    {
+        FatalErrorInFunction
+            << "The cloud " << cloud_->name() << " could not be written to "
+            << runTime.timePath() << "; is the disk full?"
+            << exit(FatalError);
+    }
+}
+
+
+void Foam::aerosol::cloudFiles::requireExact(const Time& runTime)
+{
+    if
+    (
+        runTime.writeFormat() == IOstream::ASCII
+     && IOstream::defaultPrecision() < 16
+    )
+    {
+        const dictionary& dict = runTime.controlDict();
+        const entry* precision = dict.findEntry("writePrecision");
+
+        // The line of the entry, if there is one
+        FatalIOError
+        (
+            FUNCTION_NAME,
+            __FILE__,
+            __LINE__,
+            dict.name(),
+            precision ? precision->startLineNumber() : dict.startLineNumber(),
+            precision ? precision->endLineNumber() : dict.endLineNumber()
+        )
+            << "writePrecision " << IOstream::defaultPrecision()
+            << " with writeFormat ascii moves particles at each restart. Use"
+            << nl << "    writeFormat     binary;" << nl
+            << "or" << nl << "    writePrecision  16;    // or more"
+            << exit(FatalIOError);
+    }
+}
+
+
+// ************************************************************************* //
