@@ -1,0 +1,250 @@
+#include "agglomerationTables.H"
+
+#include "OSspecific.H"
+#include "Time.H"
+#include "checkedEntry.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::OFstream>
+Foam::aerosol::agglomerationTables::newFile(const word& name) const
+{
+    // writeFile's own suffix, the start time, serves once: the third run from
+    // the same time would replace the second's file
+    const word startTime(Time::timeName(startTime_));
+    const fileName dir(baseFileDir()/prefix_/startTime);
+
+    word free(name);
+
+    for (int run = 2; isFile(dir/free + ".dat"); ++run)
+    {
+        free = name + "_" + Foam::name(run);
+    }
+
+    return createFile(free);
+}
+
+
+void Foam::aerosol::agglomerationTables::writeCount
+(
+    Ostream& os,
+    const std::int64_t value
+) const
+{
+    // As text: Ostream would cut it to the size of a label
+    os  << tab << setw(charWidth()) << std::to_string(value).c_str();
+}
+
+
+void Foam::aerosol::agglomerationTables::writeNumber
+(
+    Ostream& os,
+    const scalar value,
+    const int digits
+) const
+{
+    os  << tab << setprecision(digits - 1) << setw(digits + addChars) << value;
+}
+
+
+void Foam::aerosol::agglomerationTables::writeAgglomerationHeader
+(
+    Ostream& os
+) const
+{
+    writeHeader(os, "Agglomeration of the aerosol");
+    writeHeader(os, "efficiency      1 - N/N0 of all particles");
+    writeHeader
+    (
+        os,
+        "efficiencyPM2.5 the same of particles with a geometric diameter of at"
+        " most 2.5e-6 m"
+    );
+    writeHeader(os, "CMD, MMD        count and mass median diameter");
+    writeHeader(os, "GSD             geometric standard deviation of d");
+
+    writeCommented(os, "time[s]");
+
+    for
+    (
+        const char* column :
+        {
+            "particles", "concentration[1/m3]", "efficiency",
+            "efficiencyPM2.5", "CMD[m]", "MMD[m]", "GSD", "dMax[m]",
+            "contacts"
+        }
+    )
+    {
+        writeTabbed(os, column);
+    }
+    for
+    (
+        const char* column :
+        {
+            "mass[kg]", "momentumX[kg.m/s]", "momentumY[kg.m/s]",
+            "momentumZ[kg.m/s]"
+        }
+    )
+    {
+        os  << tab << setw(16 + addChars) << column;
+    }
+
+    os  << endl;
+}
+
+
+void Foam::aerosol::agglomerationTables::writeSizesHeader(Ostream& os) const
+{
+    writeHeader(os, "Number of particles by diameter");
+
+    writeCommented(os, "edges[m]");
+    for (const scalar edge : edges_)
+    {
+        writeNumber(os, edge, 16);
+    }
+    os  << nl;
+
+    writeCommented(os, "time[s]");
+    writeTabbed(os, "below");
+    for (Eigen::Index k = 1; k < edges_.size(); ++k)
+    {
+        writeTabbed(os, "bin" + Foam::name(label(k)));
+    }
+    writeTabbed(os, "above");
+
+    os  << endl;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::aerosol::agglomerationTables::agglomerationTables
+(
+    const objectRegistry& mesh,
+    const dictionary& sizeBins
+)
+:
+    writeFile(mesh, "aerosol"),
+    edges_
+    (
+        aerosolStatistics::logarithmicBins
+        (
+            sizeBins.get<scalar>("min"),
+            sizeBins.get<scalar>("max"),
+            sizeBins.get<label>("n")
+        )
+    )
+{
+    // Sets the width of the columns
+    writePrecision_ = 10;
+
+    agglomeration_ = newFile("agglomeration");
+    sizes_ = newFile("sizeDistribution");
+
+    if (agglomeration_.valid())
+    {
+        writeAgglomerationHeader(*agglomeration_);
+        writeSizesHeader(*sizes_);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::dictionary Foam::aerosol::agglomerationTables::sizeBins
+(
+    const dictionary& dict,
+    const scalars& d
+)
+{
+    const dictionary given(dict.subOrEmptyDict("sizeBins"));
+
+    const scalar smallest = d.size() ? d.minCoeff() : 1e-7;
+    const scalar largest = d.size() ? d.maxCoeff() : 1e-5;
+
+    const scalar min = readPositive(given, "min", dimLength, smallest);
+    const scalar max = readPositive(given, "max", dimLength, 4*largest);
+    const label n = given.lookupOrDefault<label>("n", 32);
+
+    if (max <= min || n < 1)
+    {
+        FatalIOErrorInFunction(dict.found("sizeBins") ? given : dict)
+            << "sizeBins from min " << min << " to max " << max << " in n "
+            << n << " bins; but max must be above min, and n at least 1"
+            << exit(FatalIOError);
+    }
+
+    // As scalars, which are kept exactly
+    dictionary bins;
+    bins.add("min", min);
+    bins.add("max", max);
+    bins.add("n", n);
+
+    return bins;
+}
+
+
+void Foam::aerosol::agglomerationTables::writeRow
+(
+    const scalar time,
+    const aerosolStatistics& now,
+    const label N0,
+    const label N0PM25,
+    const scalar volume,
+    const std::int64_t contacts
+)
+{
+    if (!agglomeration_.valid())
+    {
+        return;
+    }
+
+    Ostream& os = *agglomeration_;
+
+    // Of a kind that was never there, nothing has agglomerated
+    const auto efficiency = [](const label N, const label N0)
+    {
+        return N0 ? 1 - scalar(N)/N0 : 0;
+    };
+
+    os  << setprecision(9) << setw(charWidth()) << time;
+    writeCount(os, now.size);
+    writeNumber(os, now.size/volume);
+    writeNumber(os, efficiency(now.size, N0));
+    writeNumber(os, efficiency(now.sizePM25, N0PM25));
+    writeNumber(os, now.countMedianDiameter);
+    writeNumber(os, now.massMedianDiameter);
+    writeNumber(os, now.GSD);
+    writeNumber(os, now.largestDiameter);
+    writeCount(os, contacts);
+    writeNumber(os, now.mass, 16);
+    writeNumber(os, now.momentum.x(), 16);
+    writeNumber(os, now.momentum.y(), 16);
+    writeNumber(os, now.momentum.z(), 16);
+    os  << endl;
+}
+
+
+void Foam::aerosol::agglomerationTables::writeSizes
+(
+    const scalar time,
+    const scalars& d
+)
+{
+    if (!sizes_.valid())
+    {
+        return;
+    }
+
+    Ostream& os = *sizes_;
+
+    os  << setprecision(9) << setw(charWidth()) << time;
+    for (const std::int64_t count : aerosolStatistics::histogram(d, edges_))
+    {
+        writeCount(os, count);
+    }
+    os  << endl;
+}
+
+
+// ************************************************************************* //
