@@ -18,7 +18,7 @@ namespace aerosol
 Foam::autoPtr<Foam::aerosol::slipCorrection>
 Foam::aerosol::slipCorrection::New(const dictionary& dict)
 {
-    return selectModelBy<slipCorrection>
+    return selectModel<slipCorrection>
     (
         "slipCorrection",
         dict,

@@ -1,0 +1,376 @@
+#include "aerosolCloud.H"
+#include "checkedEntry.H"
+#include "fvMesh.H"
+#include "mathematicalConstants.H"
+#include "particleSource.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace aerosol
+{
+    defineTypeNameAndDebug(aerosolCloud, 0);
+}
+}
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Hours, minutes and seconds
+std::string duration(const scalar seconds)
+{
+    const long s = std::lround(seconds);
+
+    if (s < 100)
+    {
+        return std::to_string(s) + " s";
+    }
+    if (s < 6000)
+    {
+        return
+            std::to_string(s/60) + " min " + std::to_string(s%60) + " s";
+    }
+    return
+        std::to_string(s/3600) + " h " + std::to_string(s/60%60) + " min";
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::aerosol::aerosolCloud::aerosolCloud
+(
+    const fvMesh& mesh,
+    acoustics::soundField& sound
+)
+:
+    regIOobject
+    (
+        IOobject
+        (
+            "aerosol",
+            mesh.time().timeName(),
+            "uniform",
+            mesh.time(),
+            IOobject::NO_READ,
+            IOobject::AUTO_WRITE
+        )
+    ),
+    mesh_(mesh),
+    dict_
+    (
+        IOobject
+        (
+            "aerosolProperties",
+            mesh.time().constant(),
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE
+        )
+    ),
+    sound_(sound),
+    domain_(domain::New(dict_.subDict("domain"))),
+    motion_(dict_, sound.gas(), domain_->period()),
+    contacts_(dict_),
+    timeStepping_
+    (
+        timeStepping::New
+        (
+            dict_.subDict("timeStepping"),
+            {sound, *domain_, motion_, contacts_}
+        )
+    ),
+    files_(mesh),
+    interval_
+    (
+        readPositive
+        (
+            dict_.subOrEmptyDict("report"),
+            "interval",
+            dimTime,
+            sound.frequency() > 0
+          ? 1/sound.frequency()
+          : 100*mesh.time().deltaTValue()
+        )
+    ),
+    progressInterval_
+    (
+        readNonNegative
+        (
+            dict_.subOrEmptyDict("report"),
+            "progress",
+            dimTime,
+            5
+        )
+    )
+{
+    cloudFiles::requireExact(mesh_.time());
+
+    checkInside();
+    sound_.prepare(domain_->bounds());
+
+    start();
+
+    motion_.refresh(particles_);
+    checkSize();
+
+    tables_.reset(new agglomerationTables(mesh_, sizeBins_));
+
+    const scalar now = mesh_.time().value();
+
+    // Rows at whole intervals, also after a restart
+    nextRow_ = interval_*std::floor(now/interval_);
+    clockLast_ = clockNow();
+    stepsLast_ = 0;
+
+    Info<< "Aerosol: " << particles_.size() << " particles in "
+        << domain_->volume() << " m3, "
+        << particles_.size()/domain_->volume() << " per m3, diameters "
+        << particles_.d.minCoeff() << " to " << particles_.d.maxCoeff()
+        << " m, mass concentration "
+        << particles_.m.sum()/domain_->volume() << " kg/m3" << nl << endl;
+
+    report();
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::aerosol::aerosolCloud::clockNow() const
+{
+    return mesh_.time().elapsedClockTime();
+}
+
+
+void Foam::aerosol::aerosolCloud::start()
+{
+    if (files_.found())
+    {
+        const dictionary state = files_.read(particles_);
+
+        N0_ = state.get<label>("initialNumber");
+        N0PM25_ = state.get<label>("initialNumberPM25");
+        contacts_.setCount(state.get<label>("contacts"));
+        sizeBins_ = state.subDict("sizeBins");
+
+        Info<< "Continuing with the " << particles_.size()
+            << " particles of time " << mesh_.time().timeName() << nl;
+
+        return;
+    }
+
+    const autoPtr<particleSource> source =
+        particleSource::New(dict_.subDict("particles"));
+
+    source->create(*domain_, particles_);
+
+    if (source->followsGas())
+    {
+        sound_.velocity(mesh_.time().value(), particles_.x, particles_.v);
+    }
+
+    const aerosolStatistics initial(particles_);
+
+    N0_ = initial.size;
+    N0PM25_ = initial.sizePM25;
+    sizeBins_ = agglomerationTables::sizeBins
+    (
+        dict_.subOrEmptyDict("report"),
+        particles_.d
+    );
+
+    // ParaView finds a cloud only if it is there from the first time on
+    files_.write(particles_, state());
+}
+
+
+void Foam::aerosol::aerosolCloud::checkInside() const
+{
+    const boundBox& box = domain_->bounds();
+    const boundBox chamber(mesh_.points(), true);
+
+    if (!chamber.contains(box))
+    {
+        FatalIOErrorInFunction(dict_.subDict("domain"))
+            << "The domain of the particles, " << box.min() << " to "
+            << box.max() << " m, leaves the mesh, which extends from "
+            << chamber.min() << " to " << chamber.max() << " m"
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::aerosol::aerosolCloud::checkSize() const
+{
+    const dictionary& dict = dict_.subDict("domain");
+    const scalar shortest = domain_->bounds().minDim();
+
+    // A particle must not feel a neighbour and its image at once
+    const auto requireRange = [&](const char* what, const scalar range)
+    {
+        if (2*range > shortest)
+        {
+            FatalIOErrorInFunction(dict)
+                << "The shortest edge of the domain, " << shortest
+                << " m, is less than twice the largest " << what << ", "
+                << range << " m: particles would meet a neighbour and its"
+                << " periodic image at once. Make the domain larger or the "
+                << what << " smaller"
+                << exit(FatalIOError);
+        }
+    };
+
+    requireRange("range of contact", particles_.d.maxCoeff());
+    requireRange("range of the wakes", motion_.wakeRange().maxCoeff());
+
+    if (sound_.frequency() <= 0)
+    {
+        return;
+    }
+
+    // Those that are carried along best and least move relative to each other
+    const scalar omega = constant::mathematical::twoPi*sound_.frequency();
+    const scalars tau = motion_.relaxationTime();
+    const scalar s1 = omega*tau.minCoeff();
+    const scalar s2 = omega*tau.maxCoeff();
+    const scalar u12 =
+        sound_.velocityAmplitude()*(s2 - s1)/sqrt((1 + s1*s1)*(1 + s2*s2));
+    const scalar displacement = 2*u12/omega;
+    const scalar layer = sqrt(2*sound_.gas().nu()/omega);
+
+    Info<< "Relative displacement of the smallest and the largest particle "
+        << displacement << " m (peak to peak), Stokes layer " << layer
+        << " m, shortest edge of the domain " << shortest << " m" << nl;
+
+    if (shortest < displacement || shortest < 4*layer)
+    {
+        WarningInFunction
+            << "The domain is shorter than the relative displacement, "
+            << displacement << " m, or than four Stokes layers, " << 4*layer
+            << " m: particles meet periodic images that they would not meet"
+            << " in the chamber, and agglomerate too fast" << endl;
+    }
+}
+
+
+bool Foam::aerosol::aerosolCloud::lastStep() const
+{
+    const Time& runTime = mesh_.time();
+
+    return runTime.value() > runTime.endTime().value()-0.5*runTime.deltaTValue();
+}
+
+
+Foam::dictionary Foam::aerosol::aerosolCloud::state() const
+{
+    dictionary dict;
+
+    dict.add("initialNumber", N0_);
+    dict.add("initialNumberPM25", N0PM25_);
+    dict.add("contacts", label(contacts_.count()));
+    dict.add("sizeBins", sizeBins_);
+
+    return dict;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::aerosol::aerosolCloud::evolve()
+{
+    const scalar h = mesh_.time().deltaTValue();
+
+    timeStepping_->advance(particles_, mesh_.time().value() - h, h);
+}
+
+
+void Foam::aerosol::aerosolCloud::report()
+{
+    const Time& runTime = mesh_.time();
+    const scalar now = runTime.value();
+    const bool last = lastStep();
+
+    if (now > nextRow_ - 0.5*runTime.deltaTValue() || last)
+    {
+        const aerosolStatistics statistics(particles_);
+
+        tables_->writeRow
+        (
+            now,
+            statistics,
+            N0_,
+            N0PM25_,
+            domain_->volume(),
+            contacts_.count()
+        );
+
+        nextRow_ += interval_;
+    }
+
+    if (runTime.writeTime() || last || timeStepping_->done().fluidSteps == 0)
+    {
+        tables_->writeSizes(now, particles_.d);
+    }
+
+    const scalar clock = clockNow();
+
+    const std::int64_t steps = timeStepping_->done().fluidSteps;
+
+    if (!steps || (clock < clockLast_ + progressInterval_ && !last))
+    {
+        return;
+    }
+
+    const scalar rate = (steps - stepsLast_)/max(clock - clockLast_, SMALL);
+    const scalar left =
+        (runTime.endTime().value() - now)/runTime.deltaTValue()/max(rate, SMALL);
+
+    Info<< "Time = " << runTime.timeName() << nl
+        << "    " << particles_.size() << " of " << N0_
+        << " particles left, agglomeration efficiency "
+        << 100*(1 - scalar(particles_.size())/N0_) << " %, ";
+
+    if (last)
+    {
+        const timeStepping::effort& done = timeStepping_->done();
+        const scalar n = max(scalar(done.fluidSteps), scalar(1));
+
+        Info<< contacts_.count() << " contacts" << nl
+            << "    " << done.fluidSteps << " fluid steps of "
+            << done.particleSteps/n << " particle steps and "
+            << done.collisionSteps/n << " collision steps; "
+            << done.wakePairs/n << " wake pairs, "
+            << done.contactPairs/n << " contact pairs per fluid step" << nl;
+    }
+    else
+    {
+        Info<< rate << " steps/s, "
+            << duration(left) << " to the end" << nl;
+    }
+
+    Info<< "ExecutionTime = " << runTime.elapsedCpuTime() << " s"
+        << "  ClockTime = " << runTime.elapsedClockTime() << " s"
+        << nl << endl;
+
+    clockLast_ = clock;
+    stepsLast_ = steps;
+}
+
+
+bool Foam::aerosol::aerosolCloud::writeObject(WRITE_OBJECT_ARGUMENTS) const
+{
+    files_.write(particles_, state());
+
+    return true;
+}
+
+
+// ************************************************************************* //

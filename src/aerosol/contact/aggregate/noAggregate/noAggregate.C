@@ -1,0 +1,32 @@
+#include "noAggregate.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace aerosol
+{
+    defineTypeNameAndDebug(noAggregate, 0);
+    addToRunTimeSelectionTable(aggregate, noAggregate, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::aerosol::noAggregate::noAggregate(const dictionary&)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::aerosol::noAggregate::merge
+(
+    particleArrays&,
+    const contactOutcome::encounter&
+) const
+{}
+
+
+// ************************************************************************* //

@@ -1,0 +1,34 @@
+#include "noContact.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace aerosol
+{
+    defineTypeNameAndDebug(noContact, 0);
+    addToRunTimeSelectionTable(contactOutcome, noContact, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::aerosol::noContact::noContact(const dictionary&)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::aerosol::noContact::sticks
+(
+    const particleArrays&,
+    const encounter&
+) const
+{
+    return false;
+}
+
+
+// ************************************************************************* //

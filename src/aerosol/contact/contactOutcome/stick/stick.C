@@ -1,0 +1,34 @@
+#include "stick.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace aerosol
+{
+    defineTypeNameAndDebug(stick, 0);
+    addToRunTimeSelectionTable(contactOutcome, stick, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::aerosol::stick::stick(const dictionary&)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::aerosol::stick::sticks
+(
+    const particleArrays&,
+    const encounter&
+) const
+{
+    return true;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,67 @@
+#include "contacts.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::aerosol::contacts::contacts(const dictionary& dict)
+:
+    outcome_(contactOutcome::New(dict.subDict("contact"))),
+    aggregate_(aggregate::New(dict.subDict("aggregate"))),
+    count_(0),
+    nAbsorbed_(0)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+int Foam::aerosol::contacts::meet
+(
+    particleArrays& p,
+    contactOutcome::encounter pair
+)
+{
+    ++count_;
+
+    if (!merges() || !outcome_->sticks(p, pair))
+    {
+        return -1;
+    }
+
+    // The heavier one lives on, at its own place rather than its image's
+    const bool jIsHeavier =
+        p.m(pair.j) > p.m(pair.i)
+     || (p.m(pair.j) == p.m(pair.i) && p.id(pair.j) < p.id(pair.i));
+
+    if (jIsHeavier)
+    {
+        std::swap(pair.i, pair.j);
+        std::swap(pair.xi, pair.xj);
+        std::swap(pair.vi, pair.vj);
+
+        pair.xi -= pair.shift;
+        pair.xj -= pair.shift;
+        pair.shift = -pair.shift;
+    }
+
+    aggregate_->merge(p, pair);
+
+    absorbed_.resize(p.size(), 0);
+    absorbed_[pair.j] = 1;
+    ++nAbsorbed_;
+
+    return pair.i;
+}
+
+
+void Foam::aerosol::contacts::sweep(particleArrays& p)
+{
+    if (nAbsorbed_)
+    {
+        absorbed_.resize(p.size(), 0);
+        p.remove(absorbed_);
+        absorbed_.clear();
+        nAbsorbed_ = 0;
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,45 @@
+#include "StokesDrag.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace aerosol
+{
+    defineTypeNameAndDebug(StokesDrag, 0);
+    addToRunTimeSelectionTable(drag, StokesDrag, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::aerosol::StokesDrag::StokesDrag(const dictionary& dict)
+:
+    slip_(slipCorrection::New(dict))
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::aerosol::scalars Foam::aerosol::StokesDrag::StokesRate
+(
+    const particleArrays& p,
+    const gasProperties& gas
+) const
+{
+    return 3*EIGEN_PI*gas.mu*p.d/(p.m*slip_->factor(p.d, gas));
+}
+
+
+Foam::aerosol::scalars Foam::aerosol::StokesDrag::factor
+(
+    const scalars& Re
+) const
+{
+    return scalars::Ones(Re.size());
+}
+
+
+// ************************************************************************* //

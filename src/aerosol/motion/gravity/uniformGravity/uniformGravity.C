@@ -1,0 +1,40 @@
+#include "uniformGravity.H"
+#include "addToRunTimeSelectionTable.H"
+#include "vector.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace aerosol
+{
+    defineTypeNameAndDebug(uniformGravity, 0);
+    addToRunTimeSelectionTable(gravity, uniformGravity, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::aerosol::uniformGravity::uniformGravity(const dictionary& dict)
+{
+    const vector g = dict.get<vector>("value");
+    g_ << g.x(), g.y(), g.z();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::aerosol::vectors Foam::aerosol::uniformGravity::acceleration
+(
+    const particleArrays& p,
+    const acoustics::gasProperties& gas
+) const
+{
+    const scalars displaced = gas.rho*EIGEN_PI/6*p.d.cube();
+
+    return g_*(1 - displaced/p.m).matrix().transpose();
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,43 @@
+#include "noWake.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace aerosol
+{
+    defineTypeNameAndDebug(noWake, 0);
+    addToRunTimeSelectionTable(wake, noWake, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::aerosol::noWake::noWake(const dictionary&)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::aerosol::scalars Foam::aerosol::noWake::range(const scalars& d) const
+{
+    return scalars::Zero(d.size());
+}
+
+
+void Foam::aerosol::noWake::evaluate
+(
+    block& pairs,
+    const acoustics::gasProperties&
+) const
+{
+    for (blockScalars& component : pairs.velocity)
+    {
+        component.setZero();
+    }
+}
+
+
+// ************************************************************************* //

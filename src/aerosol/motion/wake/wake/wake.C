@@ -1,0 +1,33 @@
+#include "wake.H"
+#include "selectModel.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace aerosol
+{
+    defineTypeNameAndDebug(wake, 0);
+    defineRunTimeSelectionTable(wake, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::aerosol::wake> Foam::aerosol::wake::New
+(
+    const dictionary& dict
+)
+{
+    return selectModel<wake>
+    (
+        dict,
+        "wake model",
+        dictionaryConstructorTablePtr_,
+        dict
+    );
+}
+
+
+// ************************************************************************* //

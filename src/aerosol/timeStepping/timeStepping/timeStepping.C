@@ -1,0 +1,531 @@
+#include "timeStepping.H"
+#include "selectModel.H"
+
+#include <algorithm>
+#include <queue>
+#include <tuple>
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace aerosol
+{
+    defineTypeNameAndDebug(timeStepping, 0);
+    defineRunTimeSelectionTable(timeStepping, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * * //
+
+class Foam::aerosol::timeStepping::path
+{
+        Eigen::Vector3d x0_;
+        Eigen::Vector3d v0_;
+        Eigen::Vector3d x1_;
+        Eigen::Vector3d v1_;
+        double begin_;
+        double length_;
+
+public:
+
+    path
+    (
+        const Eigen::Vector3d& x0,
+        const Eigen::Vector3d& v0,
+        const Eigen::Vector3d& x1,
+        const Eigen::Vector3d& v1,
+        const double begin,
+        const double end
+    )
+    :
+        x0_(x0),
+        v0_(v0),
+        x1_(x1),
+        v1_(v1),
+        begin_(begin),
+        length_(end - begin)
+    {}
+
+    //- Hermite's cubic through the ends
+    Eigen::Vector3d position(const double t) const
+    {
+        if (length_ <= 0)
+        {
+            return x1_;
+        }
+
+        const double s = (t - begin_)/length_;
+        const double q = 1 - s;
+
+        return
+            (1 + 2*s)*q*q*x0_ + s*q*q*length_*v0_
+          + (3 - 2*s)*s*s*x1_ - s*s*q*length_*v1_;
+    }
+
+    //- Its derivative
+    Eigen::Vector3d velocity(const double t) const
+    {
+        if (length_ <= 0)
+        {
+            return v1_;
+        }
+
+        const double s = (t - begin_)/length_;
+        const double q = 1 - s;
+
+        return
+            6*s*q/length_*(x1_ - x0_)
+          + q*(1 - 3*s)*v0_ + s*(3*s - 2)*v1_;
+    }
+};
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- An overlap found on the paths of a pair
+struct overlap
+{
+    int step;
+    std::int64_t idI;
+    std::int64_t idJ;
+    int i;
+    int j;
+    std::array<std::int8_t, 3> image;
+
+    //- How often the paths of both had changed when it was found
+    int age;
+
+    //- Earliest first; at the same time in the order of the ids
+    bool operator<(const overlap& b) const
+    {
+        return
+            std::tie(step, idI, idJ) > std::tie(b.step, b.idI, b.idJ);
+    }
+};
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::aerosol::timeStepping::timeStepping(const tools& with)
+:
+    with_(with),
+    grid_(with.region)
+{}
+
+
+// * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::aerosol::timeStepping>
+Foam::aerosol::timeStepping::New
+(
+    const dictionary& dict,
+    const tools& with
+)
+{
+    return selectModel<timeStepping>
+    (
+        dict,
+        "time stepping",
+        dictionaryConstructorTablePtr_,
+        dict,
+        with
+    );
+}
+
+
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+Foam::aerosol::timeStepping::gasStep
+Foam::aerosol::timeStepping::sampleGas
+(
+    const particleArrays& p,
+    const scalar t,
+    const scalar h
+) const
+{
+    gasStep gas;
+
+    with_.sound.velocity(t, p.x, gas.u0);
+
+    // Where a particle will be at the end matters to second order; just across
+    // the border of the domain the gas is that at the border
+    vectors x1 = p.x + h*p.v;
+
+    const vector lower = with_.region.bounds().min();
+    const vector upper = with_.region.bounds().max();
+
+    for (int k = 0; k < 3; ++k)
+    {
+        x1.row(k) = x1.row(k).cwiseMax(lower[k]).cwiseMin(upper[k]);
+    }
+
+    with_.sound.velocity(t + h, x1, gas.u1);
+
+    return gas;
+}
+
+
+Foam::aerosol::scalars Foam::aerosol::timeStepping::relativeSpeed
+(
+    const particleArrays& p,
+    const gasStep& gas
+) const
+{
+    const Eigen::Vector3d mean = p.v.rowwise().mean();
+
+    const auto speed = [&](const vectors& v)
+    {
+        return (v.colwise() - mean).colwise().norm().array().transpose();
+    };
+
+    return speed(p.v).max(speed(gas.u0)).max(speed(gas.u1));
+}
+
+
+void Foam::aerosol::timeStepping::nestedSteps
+(
+    particleArrays& p,
+    const gasStep& gas,
+    const scalar t,
+    const scalar h,
+    const int nParticle,
+    const int nCollision
+)
+{
+    search(p, relativeSpeed(p, gas), h);
+
+    const scalar hp = h/nParticle;
+    const vectors change = (gas.u1 - gas.u0)/nParticle;
+
+    vectors u0 = gas.u0;
+    vectors w0;
+    equationOfMotion::state end;
+
+    with_.motion.wakes(p, wakePairs_, p.x, p.v, u0, w0);
+
+    for (int s = 0; s < nParticle; ++s)
+    {
+        const vectors u1 = u0 + change;
+
+        with_.motion.step(hp, p, wakePairs_, u0, u1, w0, end);
+
+        collide(p, end, u0, u1, w0, t + s*hp, hp, nCollision);
+
+        p.x.swap(end.x);
+        p.v.swap(end.v);
+        w0.swap(end.w);
+        u0 = u1;
+    }
+
+    with_.contacts.sweep(p);
+    with_.region.confine(p);
+
+    ++effort_.fluidSteps;
+    effort_.particleSteps += nParticle;
+    effort_.collisionSteps += std::int64_t(nParticle)*nCollision;
+    effort_.wakePairs += wakePairs_.size();
+    effort_.contactPairs += contactPairs_.size();
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::aerosol::timeStepping::search
+(
+    const particleArrays& p,
+    const scalars& relativeSpeed,
+    const scalar h
+)
+{
+    with_.motion.refresh(p);
+
+    // How far a particle gets from where it would be if all moved alike, with
+    // as much again for the wakes, which are no faster than a slip
+    const scalars skin =
+        2*h*(relativeSpeed + h*with_.motion.maxAcceleration());
+
+    if (with_.motion.hasWakes())
+    {
+        const scalars& range = with_.motion.wakeRange();
+
+        grid_.build
+        (
+            p.x,
+            (range > 0).select(range + 2*skin.maxCoeff(), range)
+        );
+        grid_.acting(wakePairs_);
+    }
+
+    if (with_.contacts.active())
+    {
+        grid_.build(p.x, 0.5*p.d + skin);
+        grid_.touching(contactPairs_);
+    }
+}
+
+
+void Foam::aerosol::timeStepping::collide
+(
+    particleArrays& p,
+    equationOfMotion::state& end,
+    const vectors& u0,
+    const vectors& u1,
+    const vectors& w0,
+    const scalar t,
+    const scalar h,
+    const int nCollision
+)
+{
+    if (contactPairs_.empty())
+    {
+        return;
+    }
+
+    const scalar hc = h/nCollision;
+    const Eigen::Array3d period = with_.region.period();
+
+    // Particles that merged within this step began their path later
+    std::vector<double> begin;
+    std::vector<int> age;
+
+    const auto pathOf = [&](const int i) -> path
+    {
+        return
+        {
+            p.x.col(i), p.v.col(i), end.x.col(i), end.v.col(i),
+            begin.empty() ? 0 : begin[i], h
+        };
+    };
+
+    const auto shiftOf = [&](const particlePair& pair) -> Eigen::Vector3d
+    {
+        return
+        {
+            pair.image[0]*period(0),
+            pair.image[1]*period(1),
+            pair.image[2]*period(2)
+        };
+    };
+
+    std::priority_queue<overlap> queue;
+
+    // The first collision step, from the given one on, at which a pair
+    // overlaps
+    const auto look = [&](const particlePair& pair, const int first)
+    {
+        const int i = pair.i;
+        const int j = pair.j;
+
+        if
+        (
+            i == j
+         || with_.contacts.absorbed(i)
+         || with_.contacts.absorbed(j)
+        )
+        {
+            return;
+        }
+
+        const double touch = 0.5*(p.d(i) + p.d(j));
+        const Eigen::Vector3d shift = shiftOf(pair);
+
+        // Most pairs stay apart: bound the distance by the shorter of both
+        // ends less the way that is left between them
+        if (begin.empty())
+        {
+            const Eigen::Vector3d r0 = p.x.col(j) + shift - p.x.col(i);
+            const Eigen::Vector3d r1 = end.x.col(j) + shift - end.x.col(i);
+            const Eigen::Vector3d v0 = p.v.col(j) - p.v.col(i);
+            const Eigen::Vector3d v1 = end.v.col(j) - end.v.col(i);
+
+            // Hermite's cubic is no further from the nearer end than this
+            const double way =
+                (r1 - r0).norm() + 4.0/27.0*h*(v0.norm() + v1.norm());
+
+            if (std::min(r0.norm(), r1.norm()) > touch + way)
+            {
+                return;
+            }
+        }
+
+        const path pathI = pathOf(i);
+        const path pathJ = pathOf(j);
+
+        const auto overlaps = [&](const int step)
+        {
+            return
+                (pathJ.position(step*hc) + shift - pathI.position(step*hc))
+               .squaredNorm() <= touch*touch;
+        };
+
+        // Without merging, only those count that begin to overlap
+        bool before = !with_.contacts.merges() && overlaps(first);
+
+        for (int s = first; s <= nCollision; ++s)
+        {
+            const bool now = overlaps(s);
+
+            if (now && !before)
+            {
+                const int currentAge = age.empty() ? 0 : age[i] + age[j];
+
+                queue.push
+                (
+                    {s, p.id(i), p.id(j), i, j, pair.image, currentAge}
+                );
+                return;
+            }
+
+            before = now;
+        }
+    };
+
+    for (const particlePair& pair : contactPairs_)
+    {
+        look(pair, 0);
+    }
+
+    while (!queue.empty())
+    {
+        const overlap found = queue.top();
+        queue.pop();
+
+        const int i = found.i;
+        const int j = found.j;
+
+        if
+        (
+            with_.contacts.absorbed(i)
+         || with_.contacts.absorbed(j)
+         || found.age != (age.empty() ? 0 : age[i] + age[j])
+        )
+        {
+            continue;
+        }
+
+        const scalar when = found.step*hc;
+        const path pathI = pathOf(i);
+        const path pathJ = pathOf(j);
+        const Eigen::Vector3d shift = shiftOf({i, j, found.image});
+
+        contactOutcome::encounter encounter;
+        encounter.i = i;
+        encounter.j = j;
+        encounter.xi = pathI.position(when);
+        encounter.xj = pathJ.position(when) + shift;
+        encounter.shift = shift;
+        encounter.vi = pathI.velocity(when);
+        encounter.vj = pathJ.velocity(when);
+        encounter.time = t + when;
+
+        const int survivor = with_.contacts.meet(p, encounter);
+
+        if (survivor < 0)
+        {
+            continue;
+        }
+
+        if (begin.empty())
+        {
+            begin.assign(p.size(), 0);
+            age.assign(p.size(), 0);
+        }
+
+        begin[survivor] = when;
+        ++age[survivor];
+
+        with_.motion.moveOn
+        (
+            survivor,
+            when/h,
+            h,
+            p,
+            u0,
+            u1,
+            w0,
+            end
+        );
+
+        const int gone = survivor == i ? j : i;
+
+        std::array<std::int8_t, 3> image = found.image;
+
+        if (survivor == j)
+        {
+            for (std::int8_t& n : image)
+            {
+                n = -n;
+            }
+        }
+
+        redirect(survivor, gone, image);
+
+        for (const particlePair& pair : contactPairs_)
+        {
+            if (pair.i == survivor || pair.j == survivor)
+            {
+                look(pair, found.step);
+            }
+        }
+    }
+}
+
+
+void Foam::aerosol::timeStepping::redirect
+(
+    const int survivor,
+    const int absorbed,
+    const std::array<std::int8_t, 3>& image
+)
+{
+    // Contacts of the absorbed one become contacts of the survivor, which is
+    // where the absorbed one's copy at `image` was
+    for (particlePair& pair : contactPairs_)
+    {
+        for (int k = 0; k < 3; ++k)
+        {
+            if (pair.i == absorbed)
+            {
+                pair.image[k] += image[k];
+            }
+            if (pair.j == absorbed)
+            {
+                pair.image[k] -= image[k];
+            }
+        }
+
+        if (pair.i == absorbed)
+        {
+            pair.i = survivor;
+        }
+        if (pair.j == absorbed)
+        {
+            pair.j = survivor;
+        }
+    }
+
+    // Its wake is gone
+    wakePairs_.erase
+    (
+        std::remove_if
+        (
+            wakePairs_.begin(),
+            wakePairs_.end(),
+            [&](const particlePair& pair)
+            {
+                return pair.i == absorbed || pair.j == absorbed;
+            }
+        ),
+        wakePairs_.end()
+    );
+}
+
+
+// ************************************************************************* //
