@@ -51,14 +51,25 @@ Foam::autoPtr<Foam::acoustics::soundField> Foam::acoustics::soundField::New
 
     Info<< "Sound: " << dict.get<word>("type") << endl;
 
-    return selectModel<soundField>
+    // What the sounds say about themselves is for people, whatever
+    // writePrecision is
+    const int precision = Sout.precision(6);
+
+    autoPtr<soundField> sound
     (
-        dict,
-        "sound",
-        dictionaryConstructorTablePtr_,
-        mesh,
-        dict
+        selectModel<soundField>
+        (
+            dict,
+            "sound",
+            dictionaryConstructorTablePtr_,
+            mesh,
+            dict
+        )
     );
+
+    Sout.precision(precision);
+
+    return sound;
 }
 
 

@@ -1,0 +1,106 @@
+/*---------------------------------------------------------------------------*\
+    acousticDEM: acoustic agglomeration of aerosols
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "velocityLattice.H"
+
+#include <algorithm>
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::acoustics::velocityLattice::velocityLattice
+(
+    const Eigen::Array3d& origin,
+    const Eigen::Array3d& spacing,
+    const index3& first,
+    const index3& last
+)
+:
+    origin_(origin),
+    spacing_(spacing),
+    first_(first),
+    last_(last)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Eigen::Index Foam::acoustics::velocityLattice::size() const
+{
+    return Eigen::Index(size(0))*size(1)*size(2);
+}
+
+
+Eigen::Matrix3Xd Foam::acoustics::velocityLattice::nodes() const
+{
+    Eigen::Matrix3Xd x(3, size());
+    Eigen::Index node = 0;
+
+    for (int k = first_[2]; k <= last_[2]; ++k)
+    {
+        for (int j = first_[1]; j <= last_[1]; ++j)
+        {
+            for (int i = first_[0]; i <= last_[0]; ++i)
+            {
+                x.col(node++) = origin_ + spacing_*Eigen::Array3d(i, j, k);
+            }
+        }
+    }
+
+    return x;
+}
+
+
+void Foam::acoustics::velocityLattice::interpolate
+(
+    const values& nodeVelocity,
+    const Eigen::Matrix3Xd& x,
+    Eigen::Matrix3Xd& u
+) const
+{
+    using velocity = Eigen::Array4d;
+
+    const Eigen::Array3d perSpacing = spacing_.inverse();
+    const Eigen::Array3d low(first_[0], first_[1], first_[2]);
+    const Eigen::Array3d high(last_[0] - 1, last_[1] - 1, last_[2] - 1);
+
+    const Eigen::Index row = size(0);
+    const Eigen::Index layer = row*size(1);
+
+    u.resize(3, x.cols());
+
+    for (Eigen::Index point = 0; point < x.cols(); ++point)
+    {
+        const Eigen::Array3d s = (x.col(point).array() - origin_)*perSpacing;
+        const Eigen::Array3d node = s.floor().max(low).min(high);
+        const Eigen::Array3d w = s - node;
+        const Eigen::Array3d offset = node - low;
+
+        const Eigen::Index corner =
+            Eigen::Index(offset[0])
+          + Eigen::Index(offset[1])*row
+          + Eigen::Index(offset[2])*layer;
+
+        const auto along = [&](const Eigen::Index at) -> velocity
+        {
+            const velocity a = nodeVelocity.col(at);
+            const velocity b = nodeVelocity.col(at + 1);
+            return a + w[0]*(b - a);
+        };
+
+        const velocity front0 = along(corner);
+        const velocity back0 = along(corner + row);
+        const velocity front1 = along(corner + layer);
+        const velocity back1 = along(corner + layer + row);
+
+        const velocity bottom = front0 + w[1]*(back0 - front0);
+        const velocity top = front1 + w[1]*(back1 - front1);
+        const velocity middle = bottom + w[2]*(top - bottom);
+
+        u.col(point) = middle.head<3>().matrix();
+    }
+}
+
+
+// ************************************************************************* //
