@@ -531,6 +531,7 @@ TEST(histogram, badFilesAreRefusedByLine)
     expectFileRefused(header + "\n1e-6,2e-6,few\n", 4, "'few'");
     expectFileRefused(header + "1e-6,2e-6,\n", 3, "''");
     expectFileRefused(header + "1e-6,nan,1\n", 3, "'nan'");
+    expectFileRefused(header + "1e-6,inf,1\n", 3, "'inf'");
     expectFileRefused(header + "1e-6,2e-6,1\n1e-6,3e-6,1\n", 0, "line 4 of");
 }
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <fstream>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -146,7 +145,13 @@ Foam::aerosol::csvTable::csvTable
 
         for (std::size_t i = 0; i < columns; ++i)
         {
-            if (!readScalar(parts[i], row[i]) || !std::isfinite(row[i]))
+            // Reading "nan" would raise a floating-point exception
+            if
+            (
+                parts[i].find_first_not_of("+-.0123456789eE")
+             != std::string::npos
+             || !readScalar(parts[i], row[i])
+            )
             {
                 refuse(line, "'" + parts[i] + "' is not a finite number");
             }
