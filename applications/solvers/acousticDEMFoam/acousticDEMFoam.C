@@ -9,22 +9,23 @@ Group
     grpLagrangianSolvers
 
 Description
-    Acoustic agglomeration of aerosols: the sound, solved on the mesh or given
-    by a formula.
+    Acoustic agglomeration of aerosols: the gas is advanced one fluid step,
+    solved on the mesh or by a formula; every particle feels the gas and its
+    neighbours' wakes; particles that meet become one.
 
-    The sound is described in constant/acousticProperties.
-
-    One line is printed every `reportInterval` steps of system/controlDict
-    (default 100) and at each time that is written.
+    The sound is described in constant/acousticProperties, the aerosol in
+    constant/aerosolProperties. Without the latter there is sound only.
 
 \*---------------------------------------------------------------------------*/
 
+#include "aerosolCloud.H"
 #include "argList.H"
 #include "columnFvMesh.H"
 #include "functionObjectList.H"
 #include "fvMesh.H"
 #include "mapPolyMesh.H"
 #include "profiling.H"
+#include "progressReport.H"
 #include "soundField.H"
 #include "Time.H"
 #include "timeSelector.H"
@@ -49,9 +50,6 @@ int main(int argc, char *argv[])
     #include "createMesh.H"
     #include "createFields.H"
 
-    const label reportInterval =
-        runTime.controlDict().lookupOrDefault<label>("reportInterval", 100);
-
     Info<< "\nStarting time loop\n" << endl;
 
     while (runTime.run())
@@ -60,13 +58,22 @@ int main(int argc, char *argv[])
 
         sound->advance();
 
+        if (cloud)
+        {
+            cloud->evolve();
+        }
+
         runTime.write();
 
-        if (runTime.writeTime() || runTime.timeIndex() % reportInterval == 0)
+        if (progress.due())
         {
-            Info<< "Time = " << runTime.timeName() << nl;
-            runTime.printExecutionTime(Info);
+            progress.print(cloud ? cloud->progress() : std::string());
         }
+    }
+
+    if (cloud)
+    {
+        Info<< cloud->effort().c_str() << nl << endl;
     }
 
     Info<< "End\n" << endl;

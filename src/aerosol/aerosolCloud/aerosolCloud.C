@@ -2,6 +2,7 @@
 #include "checkedEntry.H"
 #include "fvMesh.H"
 #include "mathematicalConstants.H"
+#include "OStringStream.H"
 #include "particleSource.H"
 #include "Time.H"
 
@@ -21,24 +22,16 @@ namespace aerosol
 namespace
 {
 
-using namespace Foam;
-
-//- Hours, minutes and seconds
-std::string duration(const scalar seconds)
+Foam::IOobject propertiesIO(const Foam::fvMesh& mesh)
 {
-    const long s = std::lround(seconds);
-
-    if (s < 100)
-    {
-        return std::to_string(s) + " s";
-    }
-    if (s < 6000)
-    {
-        return
-            std::to_string(s/60) + " min " + std::to_string(s%60) + " s";
-    }
-    return
-        std::to_string(s/3600) + " h " + std::to_string(s/60%60) + " min";
+    return Foam::IOobject
+    (
+        "aerosolProperties",
+        mesh.time().constant(),
+        mesh,
+        Foam::IOobject::MUST_READ,
+        Foam::IOobject::NO_WRITE
+    );
 }
 
 } // End anonymous namespace
@@ -65,17 +58,7 @@ Foam::aerosol::aerosolCloud::aerosolCloud
         )
     ),
     mesh_(mesh),
-    dict_
-    (
-        IOobject
-        (
-            "aerosolProperties",
-            mesh.time().constant(),
-            mesh,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE
-        )
-    ),
+    dict_(propertiesIO(mesh)),
     sound_(sound),
     domain_(domain::New(dict_.subDict("domain"))),
     motion_(dict_, sound.gas(), domain_->period()),
@@ -100,16 +83,6 @@ Foam::aerosol::aerosolCloud::aerosolCloud
           ? 1/sound.frequency()
           : 100*mesh.time().deltaTValue()
         )
-    ),
-    progressInterval_
-    (
-        readNonNegative
-        (
-            dict_.subOrEmptyDict("report"),
-            "progress",
-            dimTime,
-            5
-        )
     )
 {
     cloudFiles::requireExact(mesh_.time());
@@ -128,9 +101,6 @@ Foam::aerosol::aerosolCloud::aerosolCloud
 
     // Rows at whole intervals, also after a restart
     nextRow_ = interval_*std::floor(now/interval_);
-    clockLast_ = clockNow();
-    stepsLast_ = 0;
-
     Info<< "Aerosol: " << particles_.size() << " particles in "
         << domain_->volume() << " m3, "
         << particles_.size()/domain_->volume() << " per m3, diameters "
@@ -138,17 +108,30 @@ Foam::aerosol::aerosolCloud::aerosolCloud
         << " m, mass concentration "
         << particles_.m.sum()/domain_->volume() << " kg/m3" << nl << endl;
 
-    report();
+    tabulate();
+}
+
+
+Foam::autoPtr<Foam::aerosol::aerosolCloud>
+Foam::aerosol::aerosolCloud::NewIfPresent
+(
+    const fvMesh& mesh,
+    acoustics::soundField& sound
+)
+{
+    if (propertiesIO(mesh).typeHeaderOk<IOdictionary>())
+    {
+        return autoPtr<aerosolCloud>::New(mesh, sound);
+    }
+
+    Info<< "No constant/aerosolProperties: sound without particles" << nl
+        << endl;
+
+    return nullptr;
 }
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::scalar Foam::aerosol::aerosolCloud::clockNow() const
-{
-    return mesh_.time().elapsedClockTime();
-}
-
 
 void Foam::aerosol::aerosolCloud::start()
 {
@@ -269,6 +252,36 @@ bool Foam::aerosol::aerosolCloud::lastStep() const
 }
 
 
+void Foam::aerosol::aerosolCloud::tabulate()
+{
+    const Time& runTime = mesh_.time();
+    const scalar now = runTime.value();
+    const bool first = runTime.timeIndex() == runTime.startTimeIndex();
+    const bool end = runTime.writeTime() || lastStep();
+
+    if (first || end || now > nextRow_ - 0.5*runTime.deltaTValue())
+    {
+        tables_->writeRow
+        (
+            now,
+            aerosolStatistics(particles_),
+            N0_,
+            N0PM25_,
+            domain_->volume(),
+            contacts_.count()
+        );
+
+        // Rows at whole intervals, also after a restart
+        nextRow_ = interval_*(std::floor(now/interval_ + 1e-6) + 1);
+    }
+
+    if (first || end)
+    {
+        tables_->writeSizes(now, particles_.d);
+    }
+}
+
+
 Foam::dictionary Foam::aerosol::aerosolCloud::state() const
 {
     dictionary dict;
@@ -289,79 +302,38 @@ void Foam::aerosol::aerosolCloud::evolve()
     const scalar h = mesh_.time().deltaTValue();
 
     timeStepping_->advance(particles_, mesh_.time().value() - h, h);
+
+    tabulate();
 }
 
 
-void Foam::aerosol::aerosolCloud::report()
+std::string Foam::aerosol::aerosolCloud::progress() const
 {
-    const Time& runTime = mesh_.time();
-    const scalar now = runTime.value();
-    const bool last = lastStep();
+    OStringStream os;
 
-    if (now > nextRow_ - 0.5*runTime.deltaTValue() || last)
-    {
-        const aerosolStatistics statistics(particles_);
-
-        tables_->writeRow
-        (
-            now,
-            statistics,
-            N0_,
-            N0PM25_,
-            domain_->volume(),
-            contacts_.count()
-        );
-
-        nextRow_ += interval_;
-    }
-
-    if (runTime.writeTime() || last || timeStepping_->done().fluidSteps == 0)
-    {
-        tables_->writeSizes(now, particles_.d);
-    }
-
-    const scalar clock = clockNow();
-
-    const std::int64_t steps = timeStepping_->done().fluidSteps;
-
-    if (!steps || (clock < clockLast_ + progressInterval_ && !last))
-    {
-        return;
-    }
-
-    const scalar rate = (steps - stepsLast_)/max(clock - clockLast_, SMALL);
-    const scalar left =
-        (runTime.endTime().value() - now)/runTime.deltaTValue()/max(rate, SMALL);
-
-    Info<< "Time = " << runTime.timeName() << nl
-        << "    " << particles_.size() << " of " << N0_
+    os  << particles_.size() << " of " << N0_
         << " particles left, agglomeration efficiency "
-        << 100*(1 - scalar(particles_.size())/N0_) << " %, ";
+        << 100*(1 - scalar(particles_.size())/N0_) << " %, "
+        << label(contacts_.count()) << " contacts";
 
-    if (last)
-    {
-        const timeStepping::effort& done = timeStepping_->done();
-        const scalar n = max(scalar(done.fluidSteps), scalar(1));
+    return os.str();
+}
 
-        Info<< contacts_.count() << " contacts" << nl
-            << "    " << done.fluidSteps << " fluid steps of "
-            << done.particleSteps/n << " particle steps and "
-            << done.collisionSteps/n << " collision steps; "
-            << done.wakePairs/n << " wake pairs, "
-            << done.contactPairs/n << " contact pairs per fluid step" << nl;
-    }
-    else
-    {
-        Info<< rate << " steps/s, "
-            << duration(left) << " to the end" << nl;
-    }
 
-    Info<< "ExecutionTime = " << runTime.elapsedCpuTime() << " s"
-        << "  ClockTime = " << runTime.elapsedClockTime() << " s"
-        << nl << endl;
+std::string Foam::aerosol::aerosolCloud::effort() const
+{
+    const timeStepping::effort& done = timeStepping_->done();
+    const scalar n = max(scalar(done.fluidSteps), scalar(1));
 
-    clockLast_ = clock;
-    stepsLast_ = steps;
+    OStringStream os;
+
+    os  << "Per fluid step: "
+        << done.particleSteps/n << " particle steps, "
+        << done.collisionSteps/n << " collision steps, "
+        << done.wakePairs/n << " wake pairs, "
+        << done.contactPairs/n << " contact pairs";
+
+    return os.str();
 }
 
 

@@ -42,8 +42,9 @@ void Foam::aerosol::OseenWake::evaluate
     const blockScalars distance =
         (s[0].square() + s[1].square() + s[2].square()).sqrt();
 
+    // Not quite zero: Eigen's AVX-512 root of zero raises an exception
     const blockScalars speed =
-        (U[0].square() + U[1].square() + U[2].square()).sqrt();
+        (U[0].square() + U[1].square() + U[2].square() + 1e-60).sqrt();
 
     // Unit vector e to the target, and U cos(theta)
     const blockScalars e0 = s[0]/distance;

@@ -1,0 +1,79 @@
+#include "progressReport.H"
+#include "checkedEntry.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Hours, minutes or seconds, whichever reads well
+std::string duration(const Foam::scalar seconds)
+{
+    const long s = std::lround(seconds);
+
+    if (s < 100)
+    {
+        return std::to_string(s) + " s";
+    }
+    if (s < 6000)
+    {
+        return std::to_string(s/60) + " min " + std::to_string(s%60) + " s";
+    }
+    return std::to_string(s/3600) + " h " + std::to_string(s/60%60) + " min";
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::progressReport::progressReport(const Time& time)
+:
+    time_(time),
+    interval_
+    (
+        readNonNegative(time.controlDict(), "reportInterval", dimTime, 5)
+    ),
+    lastClock_(time.elapsedClockTime()),
+    lastStep_(time.timeIndex())
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::progressReport::due() const
+{
+    return
+        time_.elapsedClockTime() >= lastClock_ + interval_
+     || time_.value() > time_.endTime().value() - 0.5*time_.deltaTValue();
+}
+
+
+void Foam::progressReport::print(const std::string& model)
+{
+    const scalar clock = time_.elapsedClockTime();
+    const scalar rate =
+        (time_.timeIndex() - lastStep_)/max(clock - lastClock_, scalar(1e-3));
+    const scalar stepsLeft =
+        (time_.endTime().value() - time_.value())/time_.deltaTValue();
+
+    Info<< "Time = " << time_.timeName() << nl;
+
+    if (!model.empty())
+    {
+        Info<< "    " << model << nl;
+    }
+
+    Info<< "    " << rate << " steps/s, "
+        << duration(max(stepsLeft, scalar(0))/max(rate, SMALL))
+        << " to the end" << nl
+        << "ExecutionTime = " << time_.elapsedCpuTime() << " s"
+        << "  ClockTime = " << clock << " s" << nl << endl;
+
+    lastClock_ = clock;
+    lastStep_ = time_.timeIndex();
+}
+
+
+// ************************************************************************* //
