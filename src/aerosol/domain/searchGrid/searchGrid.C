@@ -1,15 +1,10 @@
 #include "searchGrid.H"
 #include "domain.H"
 
-#include <cmath>
-
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
 {
-
-//- A factor of two in reach per level: a ratio of 1000 needs ten
-constexpr int maxLevels = 12;
 
 Eigen::Array3d components(const Foam::vector& v)
 {
@@ -21,95 +16,52 @@ Eigen::Array3d components(const Foam::vector& v)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-int Foam::aerosol::searchGrid::cellIndex
+Foam::aerosol::particlePair Foam::aerosol::searchGrid::makePair
 (
-    const level& grid,
-    const Eigen::Array3d& x,
-    int k
-) const
+    const entry& own,
+    const entry& other,
+    const std::array<int, 3>& image
+)
 {
-    return static_cast<int>(std::floor((x(k) - origin_(k))/grid.cellSize(k)));
-}
-
-
-void Foam::aerosol::searchGrid::fill(level& grid) const
-{
-    // No more than two cells per particle, whatever the reach
-    const double volume = span_.prod();
-    const double smallest =
-        std::max(grid.reach, std::cbrt(0.5*volume/grid.entries.size()));
+    particlePair pair{own.index, other.index, {}};
 
     for (int k = 0; k < 3; ++k)
     {
-        grid.cells[k] =
-            std::max(1, static_cast<int>(std::min(1e3, span_(k)/smallest)));
-        grid.cellSize(k) = span_(k)/grid.cells[k];
+        pair.image[k] =
+            static_cast<std::int8_t>
+            (
+                image[k] + other.moved[k] - own.moved[k]
+            );
     }
 
-    const int nCells = grid.cells[0]*grid.cells[1]*grid.cells[2];
-
-    // Counting sort, which keeps the order of the particles in a cell
-    std::vector<int> cellOf(grid.entries.size());
-    grid.start.assign(nCells + 1, 0);
-
-    for (std::size_t e = 0; e < grid.entries.size(); ++e)
-    {
-        entry& particle = grid.entries[e];
-        int cell = 0;
-
-        for (int k = 0; k < 3; ++k)
-        {
-            const int c = cellIndex(grid, particle.x, k);
-            cell =
-                cell*grid.cells[k] + std::min(std::max(c, 0), grid.cells[k]-1);
-        }
-
-        cellOf[e] = cell;
-        ++grid.start[cell + 1];
-    }
-
-    for (int c = 0; c < nCells; ++c)
-    {
-        grid.start[c + 1] += grid.start[c];
-    }
-
-    std::vector<entry> sorted(grid.entries.size());
-    std::vector<int> next(grid.start.begin(), grid.start.end() - 1);
-
-    for (std::size_t e = 0; e < grid.entries.size(); ++e)
-    {
-        sorted[next[cellOf[e]]++] = grid.entries[e];
-    }
-
-    grid.entries.swap(sorted);
+    return pair;
 }
 
 
 template<class Visitor>
 void Foam::aerosol::searchGrid::visit
 (
-    const level& grid,
-    const Eigen::Array3d& x,
+    const Eigen::Array3d& centre,
     const double radius,
     Visitor&& visitor
 ) const
 {
-    // A little more, lest rounding hides a particle on the face of a cell
-    const Eigen::Array3d reach = radius + 1e-12*span_;
-
     std::array<int, 3> lo;
     std::array<int, 3> hi;
 
     for (int k = 0; k < 3; ++k)
     {
-        lo[k] = cellIndex(grid, x - reach, k);
-        hi[k] = cellIndex(grid, x + reach, k);
+        // A little more, lest rounding hides a particle on the face of a cell
+        const double r = radius + 1e-12*span_(k);
+
+        lo[k] = cellIndex(centre(k) - r, k);
+        hi[k] = cellIndex(centre(k) + r, k);
 
         if (period_(k) == 0)
         {
-            // Particles outside of the bounds are kept in the border cells
-            lo[k] = std::min(std::max(lo[k], 0), grid.cells[k] - 1);
-            hi[k] = std::min(std::max(hi[k], 0), grid.cells[k] - 1);
+            // What is outside of the bounds is kept in the border cells
+            lo[k] = std::min(std::max(lo[k], 0), cells_[k] - 1);
+            hi[k] = std::min(std::max(hi[k], 0), cells_[k] - 1);
         }
     }
 
@@ -118,39 +70,35 @@ void Foam::aerosol::searchGrid::visit
         return a >= 0 ? a/b : -((b - 1 - a)/b);
     };
 
-    std::array<std::int8_t, 3> image;
-    Eigen::Array3d shift;
+    std::array<int, 3> image;
+    Eigen::Array3d from;
 
     for (int cx = lo[0]; cx <= hi[0]; ++cx)
     {
-        const int ix = floorDivide(cx, grid.cells[0]);
-        const int rowX = (cx - ix*grid.cells[0])*grid.cells[1];
-        image[0] = static_cast<std::int8_t>(ix);
-        shift(0) = ix*period_(0);
+        image[0] = floorDivide(cx, cells_[0]);
+        from(0) = centre(0) - image[0]*period_(0);
+        const int plane = (cx - image[0]*cells_[0])*cells_[1];
 
         for (int cy = lo[1]; cy <= hi[1]; ++cy)
         {
-            const int iy = floorDivide(cy, grid.cells[1]);
-            const int rowY =
-                (rowX + cy - iy*grid.cells[1])*grid.cells[2];
-            image[1] = static_cast<std::int8_t>(iy);
-            shift(1) = iy*period_(1);
+            image[1] = floorDivide(cy, cells_[1]);
+            from(1) = centre(1) - image[1]*period_(1);
+            const int row = (plane + cy - image[1]*cells_[1])*cells_[2];
 
             for (int cz = lo[2]; cz <= hi[2]; ++cz)
             {
-                const int iz = floorDivide(cz, grid.cells[2]);
-                const int cell = rowY + cz - iz*grid.cells[2];
-                image[2] = static_cast<std::int8_t>(iz);
-                shift(2) = iz*period_(2);
+                image[2] = floorDivide(cz, cells_[2]);
+                from(2) = centre(2) - image[2]*period_(2);
+                const int cell = row + cz - image[2]*cells_[2];
 
-                for (int e = grid.start[cell]; e < grid.start[cell+1]; ++e)
+                for (int e = start_[cell]; e < start_[cell + 1]; ++e)
                 {
-                    const entry& other = grid.entries[e];
+                    const entry& other = entries_[e];
 
                     visitor
                     (
                         other,
-                        (other.x + shift - x).matrix().squaredNorm(),
+                        (other.x - from).matrix().squaredNorm(),
                         image
                     );
                 }
@@ -166,7 +114,9 @@ Foam::aerosol::searchGrid::searchGrid(const domain& region)
 :
     origin_(components(region.bounds().min())),
     span_(components(region.bounds().span())),
-    period_(region.period())
+    period_(region.period()),
+    cells_{1, 1, 1},
+    cellSize_(span_)
 {}
 
 
@@ -174,58 +124,70 @@ Foam::aerosol::searchGrid::searchGrid(const domain& region)
 
 void Foam::aerosol::searchGrid::build(const vectors& x, const scalars& reach)
 {
-    x_ = x;
-    reach_ = reach;
-
     const int n = static_cast<int>(reach.size());
 
-    levels_.clear();
-    levelOf_.assign(n, -1);
+    // About one cell per particle
+    const double size = std::cbrt(span_.prod()/std::max(n, 1));
 
-    if (n == 0)
+    for (int k = 0; k < 3; ++k)
     {
-        return;
+        cells_[k] = std::max(1, static_cast<int>(span_(k)/size));
+        cellSize_(k) = span_(k)/cells_[k];
     }
 
-    // Below half the mean distance, smaller cells find nothing faster
-    const double largest = reach.maxCoeff();
-    const double base =
-        std::max
-        (
-            0.5*std::cbrt(span_.prod()/n),
-            largest*std::exp2(1 - maxLevels)
-        );
-
-    levels_.resize(maxLevels);
+    // Counting sort, which keeps the order of the particles in a cell
+    start_.assign(cells_[0]*cells_[1]*cells_[2] + 1, 0);
+    cellOf_.resize(n);
+    unsorted_.resize(n);
+    entries_.resize(n);
 
     for (int i = 0; i < n; ++i)
     {
-        if (reach(i) <= 0)
+        entry& particle = unsorted_[i];
+
+        particle.x = x.col(i).array();
+        particle.reach = reach(i);
+        particle.index = i;
+
+        int cell = 0;
+
+        for (int k = 0; k < 3; ++k)
         {
-            continue;
+            int c = cellIndex(particle.x(k), k);
+            int moved = 0;
+
+            if (period_(k) > 0 && (c < 0 || c >= cells_[k]))
+            {
+                moved =
+                    -static_cast<int>
+                    (
+                        std::floor((particle.x(k) - origin_(k))/span_(k))
+                    );
+                particle.x(k) += moved*period_(k);
+                c = cellIndex(particle.x(k), k);
+            }
+
+            particle.moved[k] = static_cast<std::int8_t>(moved);
+            cell = cell*cells_[k] + std::min(std::max(c, 0), cells_[k] - 1);
         }
 
-        const int l =
-            reach(i) <= base
-          ? 0
-          : std::min
-            (
-                maxLevels - 1,
-                static_cast<int>(std::ceil(std::log2(reach(i)/base)))
-            );
-
-        levelOf_[i] = l;
-        levels_[l].reach = std::max(levels_[l].reach, reach(i));
-        levels_[l].entries.push_back({x.col(i).array(), reach(i), i});
+        cellOf_[i] = cell;
+        ++start_[cell + 1];
     }
 
-    for (level& grid : levels_)
+    for (std::size_t c = 1; c < start_.size(); ++c)
     {
-        if (!grid.entries.empty())
-        {
-            fill(grid);
-        }
+        start_[c] += start_[c - 1];
     }
+
+    for (int i = n - 1; i >= 0; --i)
+    {
+        entries_[--start_[cellOf_[i] + 1]] = unsorted_[i];
+    }
+
+    // start_[c + 1] is now where cell c begins
+    start_.erase(start_.begin());
+    start_.push_back(n);
 }
 
 
@@ -236,50 +198,35 @@ void Foam::aerosol::searchGrid::touching
 {
     pairs.clear();
 
-    const int n = static_cast<int>(reach_.size());
-
-    for (int i = 0; i < n; ++i)
+    for (const entry& own : unsorted_)
     {
-        const Eigen::Array3d x = x_.col(i).array();
-        const double reach = reach_(i);
-
-        // The one with the smaller reach looks for the one with the larger
-        const int own = levelOf_[i];
-
-        for (int l = std::max(own, 0); l < maxLevels; ++l)
-        {
-            const level& grid = levels_[l];
-
-            if (grid.entries.empty())
-            {
-                continue;
-            }
-
-            visit
+        // The one with the larger reach looks for the other one
+        visit
+        (
+            own.x,
+            2*own.reach,
+            [&]
             (
-                grid,
-                x,
-                reach + grid.reach,
-                [&]
+                const entry& other,
+                const double distanceSqr,
+                const std::array<int, 3>& image
+            )
+            {
+                const double sum = own.reach + other.reach;
+
+                if
                 (
-                    const entry& other,
-                    const double distanceSqr,
-                    const std::array<std::int8_t, 3>& image
+                    distanceSqr <= sum*sum
+                 && (
+                        other.reach < own.reach
+                     || (other.reach == own.reach && other.index > own.index)
+                    )
                 )
                 {
-                    const double sum = reach + other.reach;
-
-                    if
-                    (
-                        distanceSqr <= sum*sum
-                     && (l == own ? other.index > i : other.index != i)
-                    )
-                    {
-                        pairs.push_back({i, other.index, image});
-                    }
+                    pairs.push_back(makePair(own, other, image));
                 }
-            );
-        }
+            }
+        );
     }
 }
 
@@ -288,42 +235,44 @@ void Foam::aerosol::searchGrid::acting(std::vector<particlePair>& pairs) const
 {
     pairs.clear();
 
-    const int n = static_cast<int>(reach_.size());
-
-    for (int i = 0; i < n; ++i)
+    for (const entry& own : unsorted_)
     {
-        const Eigen::Array3d x = x_.col(i).array();
-
-        for (const level& grid : levels_)
+        if (own.reach <= 0)
         {
-            if (grid.entries.empty())
-            {
-                continue;
-            }
+            continue;
+        }
 
-            visit
+        visit
+        (
+            own.x,
+            own.reach,
+            [&]
             (
-                grid,
-                x,
-                grid.reach,
-                [&]
+                const entry& other,
+                const double distanceSqr,
+                const std::array<int, 3>& image
+            )
+            {
+                if
                 (
-                    const entry& other,
-                    const double distanceSqr,
-                    const std::array<std::int8_t, 3>& image
+                    distanceSqr <= own.reach*own.reach
+                 && other.index != own.index
                 )
                 {
-                    if
-                    (
-                        distanceSqr <= other.reach*other.reach
-                     && other.index != i
-                    )
+                    // The other one's image meets the source; seen from the
+                    // other one, it is the source that is an image
+                    particlePair pair = makePair(own, other, image);
+
+                    std::swap(pair.i, pair.j);
+                    for (std::int8_t& m : pair.image)
                     {
-                        pairs.push_back({i, other.index, image});
+                        m = -m;
                     }
+
+                    pairs.push_back(pair);
                 }
-            );
-        }
+            }
+        );
     }
 }
 

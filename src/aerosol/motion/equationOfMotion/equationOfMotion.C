@@ -48,24 +48,28 @@ void Foam::aerosol::equationOfMotion::glide
 {
     const scalars z = h*k;
 
-    // Below the limit the differences cancel; the series are exact to rounding
+    // Below the limit the differences cancel; the series are exact to rounding.
+    // The vectorised functions are evaluated first, as select() is not.
     constexpr double small = 0.02;
     const scalars zs = z.max(small);
+    const scalars fullA = (1 - (-zs).exp())/zs;
+    const scalars fullB = (1 - fullA)/zs;
+    const scalars fullC = (0.5 - fullB)/zs;
 
     const scalars A = (z < small).select
     (
         1 - z/2*(1 - z/3*(1 - z/4*(1 - z/5*(1 - z/6)))),
-        (1 - (-zs).exp())/zs
+        fullA
     );
     const scalars B = (z < small).select
     (
         0.5*(1 - z/3*(1 - z/4*(1 - z/5*(1 - z/6*(1 - z/7))))),
-        (1 - A)/zs
+        fullB
     );
     const scalars C = (z < small).select
     (
         1.0/6.0*(1 - z/4*(1 - z/5*(1 - z/6*(1 - z/7*(1 - z/8))))),
-        (0.5 - B)/zs
+        fullC
     );
 
     const auto rows = [](const scalars& factor)

@@ -28,7 +28,8 @@ Foam::aerosol::scalars Foam::aerosol::SchillerNaumann::factor
     const scalars& Re
 ) const
 {
-    return 1 + 0.15*Re.pow(0.687);
+    // Twice as fast as pow, and 0 need not be raised to a power
+    return 1 + 0.15*(0.687*Re.max(1e-30).log()).exp();
 }
 
 
