@@ -5,76 +5,16 @@
 
 #include "polynomialFit.H"
 
-#include <Eigen/QR>
-
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
 {
 
-//- Columns and pivots below this fraction count as not resolved
-constexpr double resolved = 1e-6;
+constexpr int nTerms = 20;
 
-
-//- Adds the terms `basis` (one row per point, weighted by the root of the
-//  importance) with their values at the target to the fit. They must be
-//  orthogonal to what is in it already.
-void addTerms
-(
-    const Eigen::MatrixXd& basis,
-    const Eigen::RowVectorXd& atTarget,
-    const Eigen::VectorXd& root,
-    Eigen::VectorXd& weights
-)
-{
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-    decomposition.setThreshold(resolved);
-    decomposition.compute(basis);
-
-    if (decomposition.rank() > 0)
-    {
-        const Eigen::MatrixXd inverse = decomposition.pseudoInverse();
-
-        weights +=
-            (atTarget*inverse).transpose().cwiseProduct(root);
-    }
-}
-
-
-//- Makes columns of the basis orthogonal to those of `to`, which are
-//  combinations that can be evaluated at the target as well; drops those of
-//  which nothing is left
-void orthogonalise
-(
-    const Eigen::MatrixXd& to,
-    const Eigen::RowVectorXd& toAtTarget,
-    Eigen::MatrixXd& basis,
-    Eigen::RowVectorXd& atTarget
-)
-{
-    const Eigen::RowVectorXd before = basis.colwise().norm();
-
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-    decomposition.setThreshold(resolved);
-    decomposition.compute(to);
-
-    if (decomposition.rank() > 0)
-    {
-        const Eigen::MatrixXd projection = decomposition.solve(basis);
-
-        basis -= to*projection;
-        atTarget -= toAtTarget*projection;
-    }
-
-    for (Eigen::Index j = 0; j < basis.cols(); ++j)
-    {
-        if (basis.col(j).norm() <= resolved*before(j))
-        {
-            basis.col(j).setZero();
-            atTarget(j) = 0;
-        }
-    }
-}
+//- A term of which less than this fraction is left by the terms before it is
+//  not resolved by the points
+constexpr double resolved = 0.01;
 
 } // End anonymous namespace
 
@@ -90,13 +30,7 @@ Eigen::VectorXd Foam::acoustics::polynomialFit
     const Eigen::Index n = offsets.cols();
     const Eigen::VectorXd root = importance.cwiseSqrt();
 
-    Eigen::VectorXd weights = importance/importance.sum();
-
-    const Eigen::MatrixXd constant = root;
-    const Eigen::RowVectorXd one = Eigen::RowVectorXd::Ones(1);
-
-    Eigen::MatrixXd linear(n, 3);
-    Eigen::MatrixXd quadratic(n, 6);
+    Eigen::Matrix<double, Eigen::Dynamic, nTerms> terms(n, nTerms);
 
     for (Eigen::Index i = 0; i < n; ++i)
     {
@@ -104,29 +38,55 @@ Eigen::VectorXd Foam::acoustics::polynomialFit
         const double y = offsets(1, i);
         const double z = offsets(2, i);
 
-        linear.row(i) << x, y, z;
-        quadratic.row(i) << x*x, y*y, z*z, x*y, y*z, z*x;
+        terms.row(i) <<
+            1,
+            x, y, z,
+            x*x, y*y, z*z, x*y, y*z, z*x,
+            x*x*x, y*y*y, z*z*z,
+            x*x*y, x*x*z, y*y*x, y*y*z, z*z*x, z*z*y, x*y*z;
 
-        linear.row(i) *= root(i);
-        quadratic.row(i) *= root(i);
+        terms.row(i) *= root(i);
     }
 
-    // All terms but the constant vanish at the target
-    Eigen::RowVectorXd linearAtTarget = Eigen::RowVectorXd::Zero(3);
-    Eigen::RowVectorXd quadraticAtTarget = Eigen::RowVectorXd::Zero(6);
+    // Values of the terms at the target, where all but the first vanish
+    Eigen::Matrix<double, nTerms, 1> atTarget;
+    atTarget.setZero();
+    atTarget(0) = 1;
 
-    orthogonalise(constant, one, linear, linearAtTarget);
-    addTerms(linear, linearAtTarget, root, weights);
+    Eigen::VectorXd weights = Eigen::VectorXd::Zero(n);
+    int kept = 0;
 
-    Eigen::MatrixXd affine(n, 4);
-    affine << constant, linear;
-    Eigen::RowVectorXd affineAtTarget(4);
-    affineAtTarget << one, linearAtTarget;
+    for (int term = 0; term < nTerms; ++term)
+    {
+        auto column = terms.col(term);
+        double value = atTarget(term);
+        const double before = column.norm();
 
-    orthogonalise(affine, affineAtTarget, quadratic, quadraticAtTarget);
-    addTerms(quadratic, quadraticAtTarget, root, weights);
+        // Twice is enough for full accuracy
+        for (int pass = 0; pass < 2; ++pass)
+        {
+            for (int other = 0; other < kept; ++other)
+            {
+                const double part = terms.col(other).dot(column);
 
-    return weights;
+                column -= part*terms.col(other);
+                value -= part*atTarget(other);
+            }
+        }
+
+        const double left = column.norm();
+
+        if (left > resolved*before)
+        {
+            terms.col(kept) = column/left;
+            atTarget(kept) = value/left;
+
+            weights += atTarget(kept)*terms.col(kept);
+            ++kept;
+        }
+    }
+
+    return weights.cwiseProduct(root);
 }
 
 

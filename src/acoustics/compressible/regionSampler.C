@@ -7,9 +7,8 @@
 
 #include "polynomialFit.H"
 
-#include "fvMesh.H"
+#include "polyMesh.H"
 #include "Pstream.H"
-#include "volFields.H"
 
 #include <algorithm>
 #include <cmath>
@@ -23,14 +22,14 @@ namespace
 //- Nodes of the lattice per cell
 constexpr double nodesPerCell = 4;
 
-//- Most nodes of a lattice: 33 weights each take 100 MB
+//- Most nodes of a lattice: their weights take 150 MB
 constexpr double maxNodes = 2.5e5;
 
 //- Cells beyond the region, in cell sizes, from which stencils are chosen
 constexpr double margin = 4;
 
 //- Cells of a stencil by the number of directions the mesh resolves
-constexpr int stencilSize[] = {1, 5, 13, 33};
+constexpr int stencilSize[] = {1, 5, 16, 40};
 
 
 Eigen::Vector3d toEigen(const Foam::vector& v)
@@ -58,7 +57,7 @@ struct Foam::acoustics::regionSampler::cells
 Foam::acoustics::regionSampler::cells
 Foam::acoustics::regionSampler::gatherCells
 (
-    const fvMesh& mesh,
+    const polyMesh& mesh,
     const boundBox& region
 )
 {
@@ -117,7 +116,7 @@ Foam::acoustics::regionSampler::gatherCells
             smallest = min(smallest, size);
         }
     }
-    const scalar unit = 1e-8*cmptMin(smallest);
+    const scalar unit = 1e-10*cmptMin(smallest);
 
     DynamicList<labelPair> source;
     DynamicList<vector> rounded;
@@ -177,7 +176,7 @@ Foam::acoustics::regionSampler::gatherCells
 
 void Foam::acoustics::regionSampler::makeLattice
 (
-    const fvMesh& mesh,
+    const polyMesh& mesh,
     const boundBox& region,
     const cells& nearby
 )
@@ -227,7 +226,7 @@ void Foam::acoustics::regionSampler::makeLattice
 
 void Foam::acoustics::regionSampler::makeStencils
 (
-    const fvMesh& mesh,
+    const polyMesh& mesh,
     const cells& nearby
 )
 {
@@ -324,22 +323,32 @@ void Foam::acoustics::regionSampler::makeStencils
                 << exit(FatalError);
         }
 
+        // The nearest cells; those at the same distance come together
+        const auto last =
+            near.begin()
+          + std::min<size_t>(stencilSize[nResolved], near.size()) - 1;
+
+        std::nth_element(near.begin(), last, near.end());
+
+        const double farthest = last->first*(1 + 1e-6);
+
+        near.erase
+        (
+            std::remove_if
+            (
+                near.begin(),
+                near.end(),
+                [&](const auto& cell) { return cell.first > farthest; }
+            ),
+            near.end()
+        );
         std::sort(near.begin(), near.end());
 
-        // Cells at the same distance come together or not at all
-        size_t n = std::min<size_t>(stencilSize[nResolved], near.size());
-        while
-        (
-            n < near.size()
-         && near[n].first < near[n - 1].first*(1 + 1e-6)
-        )
-        {
-            ++n;
-        }
+        const size_t n = near.size();
 
         Eigen::Matrix3Xd offsets(3, n);
         Eigen::VectorXd importance(n);
-        const double reach = 1.44*near[n - 1].first;
+        const double reach = 1.44*farthest;
 
         for (size_t i = 0; i < n; ++i)
         {
@@ -369,14 +378,14 @@ void Foam::acoustics::regionSampler::makeStencils
 
 void Foam::acoustics::regionSampler::sample
 (
-    const volVectorField& U,
+    const vectorField& U,
     velocityLattice::values& nodeVelocity
 ) const
 {
     List<vectorField> gathered(Pstream::nProcs());
 
     gathered[Pstream::myProcNo()] =
-        vectorField(U.primitiveField(), localCells_);
+        vectorField(U, localCells_);
 
     Pstream::gatherList(gathered);
     Pstream::scatterList(gathered);
@@ -411,7 +420,7 @@ void Foam::acoustics::regionSampler::sample
 
 Foam::acoustics::regionSampler::regionSampler
 (
-    const fvMesh& mesh,
+    const polyMesh& mesh,
     const boundBox& region
 )
 :
@@ -453,8 +462,8 @@ Foam::acoustics::regionSampler::regionSampler
 
 void Foam::acoustics::regionSampler::reset
 (
-    const volVectorField& begin,
-    const volVectorField& end
+    const vectorField& begin,
+    const vectorField& end
 )
 {
     sample(begin, begin_);
@@ -463,7 +472,7 @@ void Foam::acoustics::regionSampler::reset
 }
 
 
-void Foam::acoustics::regionSampler::advance(const volVectorField& end)
+void Foam::acoustics::regionSampler::advance(const vectorField& end)
 {
     begin_.swap(end_);
     sample(end, end_);
