@@ -2,7 +2,6 @@
 
 #include "cloudFiles.H"
 
-#include "IFstream.H"
 #include "IOdictionary.H"
 #include "OSspecific.H"
 #include "Time.H"
@@ -339,6 +338,8 @@ TEST(cloudFiles, writesAgainAndAgain)
         particleArrays read;
         files.read(read);
         expectIdentical(manyParticles(n), read);
+
+        EXPECT_EQ(passiveParticleCloud(*c.mesh, "aerosol").size(), n);
     }
 }
 
@@ -385,8 +386,16 @@ TEST(cloudFiles, particleOutsideTheMesh)
         errorOf([&]{ cloudFiles(*c.mesh).write(p, dictionary()); })
     );
 
-    EXPECT_NE(message.find("1 of the 10 particles are outside"), std::string::npos);
-    EXPECT_NE(message.find("id 21, is at (0.15 0.1001 0.05)"), std::string::npos);
+    EXPECT_NE
+    (
+        message.find("1 of the 10 particles are outside"),
+        std::string::npos
+    );
+    EXPECT_NE
+    (
+        message.find("id 21, is at (0.15 0.1001 0.05)"),
+        std::string::npos
+    );
 }
 
 
