@@ -62,11 +62,11 @@ void Foam::progressReport::print(const std::string& model)
 
     if (!model.empty())
     {
-        Info<< "    " << model << nl;
+        Info<< "    " << model.c_str() << nl;
     }
 
     Info<< "    " << rate << " steps/s, "
-        << duration(max(stepsLeft, scalar(0))/max(rate, SMALL))
+        << duration(max(stepsLeft, scalar(0))/max(rate, SMALL)).c_str()
         << " to the end" << nl
         << "ExecutionTime = " << time_.elapsedCpuTime() << " s"
         << "  ClockTime = " << clock << " s" << nl << endl;
