@@ -244,6 +244,23 @@ TEST(distributionSource, nothingOverlapsInNarrowBoxes)
 }
 
 
+// A large one never finds a gap among the small ones: they must make room
+TEST(distributionSource, fewLargeAmongManySmallFindPlace)
+{
+    const auto particles = create
+    (
+        "source distribution; count 6000; size { type histogram;"
+        " bins ((2e-5 2.1e-5 5990) (2e-4 2.1e-4 10)); }"
+    );
+
+    const int large = (particles.d > 1e-4).count();
+
+    EXPECT_GT(large, 1);
+    EXPECT_LT(large, 20);
+    EXPECT_EQ(overlaps(particles, cube), 0);
+}
+
+
 TEST(distributionSource, spheresStayInsideOfWalls)
 {
     const testBox channel(vector::uniform(1e-3), Eigen::Array3d(1, 0, 0));
@@ -373,8 +390,14 @@ TEST(distributionSource, badEntriesAreRefused)
     expectRefused(size, "source");
     expectRefused(source + "count 10; initialVelocity fast;", "gas or rest");
 
-    // 0.1 of the box are 1.53 million of these particles
-    expectRefused(source + "count 1540000;", "no more than 10 %");
+    // A tenth of the box are 190.99 of these
+    const std::string large
+    (
+        "source distribution; size { type monodisperse; diameter 1e-4; }"
+    );
+
+    EXPECT_EQ(complaint(large + "count 190;"), "");
+    expectRefused(large + "count 191;", "no more than 10 %");
 
     expectRefused
     (

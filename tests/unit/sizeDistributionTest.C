@@ -153,15 +153,16 @@ struct lognormalReference
 };
 
 
-//- The aerosol of the documentation, a narrow one, one wide open, one of which
-//  a filter has let through a tail
+//- The aerosol of the documentation, a narrow one, one wide open, and some of
+//  which only a tail is left, down to 1e-5 of the particles
 const lognormalReference lognormals[] =
 {
     {1.5e-6, 1.8, 0.3e-6, 10e-6},
     {1e-6, 1.05, 0.9e-6, 1.2e-6},
     {1e-6, 2.5, 1e-12, 1},
     {0.1e-6, 1.8, 0.4e-6, 5e-6},
-    {5e-6, 1.8, 0.1e-6, 1e-6}
+    {5e-6, 1.8, 0.1e-6, 1e-6},
+    {1e-6, 1.8, 12.5e-6, 100e-6}
 };
 
 
