@@ -119,7 +119,7 @@ void expectRefused
 }
 
 
-//- Pairs that overlap, images included, and particles that overlap their own
+//- Particles that overlap the nearest image of another or one of their own
 int overlaps(const particleArrays& particles, const aerosol::domain& region)
 {
     const Eigen::Array3d period(region.period());
@@ -127,34 +127,28 @@ int overlaps(const particleArrays& particles, const aerosol::domain& region)
 
     for (int i = 0; i < particles.size(); ++i)
     {
-        for (int j = 0; j <= i; ++j)
-        {
-            for (int image = 0; image < 27; ++image)
-            {
-                const Eigen::Array3d shift
-                (
-                    image % 3 - 1,
-                    image/3 % 3 - 1,
-                    image/9 - 1
-                );
+        n += (period > 0 && period < particles.d(i)).any();
 
-                if
-                (
-                    (i == j && image == 13)
-                 || (shift.abs() > 0 && period == 0).any()
-                )
+        for (int j = 0; j < i; ++j)
+        {
+            double squaredDistance = 0;
+
+            for (int k = 0; k < 3; ++k)
+            {
+                double distance =
+                    std::abs(particles.x(k, i) - particles.x(k, j));
+
+                if (period(k) > 0)
                 {
-                    continue;
+                    distance = std::min(distance, period(k) - distance);
                 }
 
-                const double distance =
-                (
-                    particles.x.col(i) - particles.x.col(j)
-                  + (shift*period).matrix()
-                ).norm();
-
-                n += distance < 0.5*(particles.d(i) + particles.d(j));
+                squaredDistance += distance*distance;
             }
+
+            const double contact = 0.5*(particles.d(i) + particles.d(j));
+
+            n += squaredDistance < contact*contact;
         }
     }
 
