@@ -85,23 +85,30 @@ void Foam::aerosol::searchGrid::visit
             from(1) = centre(1) - image[1]*period_(1);
             const int row = (plane + cy - image[1]*cells_[1])*cells_[2];
 
-            for (int cz = lo[2]; cz <= hi[2]; ++cz)
+            // Cells of a row are next to one another: all those of one image
+            // are a single run of entries
+            for (int cz = lo[2]; cz <= hi[2]; )
             {
                 image[2] = floorDivide(cz, cells_[2]);
                 from(2) = centre(2) - image[2]*period_(2);
-                const int cell = row + cz - image[2]*cells_[2];
 
-                for (int e = start_[cell]; e < start_[cell + 1]; ++e)
+                const int first = image[2]*cells_[2];
+                const int last = std::min(hi[2], first + cells_[2] - 1);
+
+                const entry* other = &entries_[0] + start_[row + cz - first];
+                const entry* end = &entries_[0] + start_[row + last - first+1];
+
+                for (; other != end; ++other)
                 {
-                    const entry& other = entries_[e];
-
                     visitor
                     (
-                        other,
-                        (other.x - from).matrix().squaredNorm(),
+                        *other,
+                        (other->x - from).matrix().squaredNorm(),
                         image
                     );
                 }
+
+                cz = last + 1;
             }
         }
     }

@@ -246,10 +246,9 @@ void Foam::aerosol::timeStepping::search
 {
     with_.motion.refresh(p);
 
-    // How far a particle gets from where it would be if all moved alike, with
-    // as much again for the wakes, which are no faster than a slip
-    const scalars skin =
-        2*h*(relativeSpeed + h*with_.motion.maxAcceleration());
+    // How far a particle gets from where it would be if all moved alike
+    const scalars way =
+        h*(relativeSpeed + h*with_.motion.maxAcceleration());
 
     if (with_.motion.hasWakes())
     {
@@ -258,14 +257,15 @@ void Foam::aerosol::timeStepping::search
         grid_.build
         (
             p.x,
-            (range > 0).select(range + 2*skin.maxCoeff(), range)
+            (range > 0).select(range + way + way.maxCoeff(), range)
         );
         grid_.acting(wakePairs_);
     }
 
     if (with_.contacts.active())
     {
-        grid_.build(p.x, 0.5*p.d + skin);
+        // As much again for the wakes, which are no faster than a slip
+        grid_.build(p.x, 0.5*p.d + 2*way);
         grid_.touching(contactPairs_);
     }
 }
