@@ -6,6 +6,7 @@
 #include "velocityLattice.H"
 
 #include <algorithm>
+#include <cmath>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -61,6 +62,8 @@ void Foam::acoustics::velocityLattice::interpolate
 {
     using velocity = Eigen::Array4d;
 
+    // Copies, which the compiler knows to stay as they are
+    const Eigen::Array3d origin = origin_;
     const Eigen::Array3d perSpacing = spacing_.inverse();
     const Eigen::Array3d low(first_[0], first_[1], first_[2]);
     const Eigen::Array3d high(last_[0] - 1, last_[1] - 1, last_[2] - 1);
@@ -72,15 +75,22 @@ void Foam::acoustics::velocityLattice::interpolate
 
     for (Eigen::Index point = 0; point < x.cols(); ++point)
     {
-        const Eigen::Array3d s = (x.col(point).array() - origin_)*perSpacing;
-        const Eigen::Array3d node = s.floor().max(low).min(high);
-        const Eigen::Array3d w = s - node;
-        const Eigen::Array3d offset = node - low;
+        // Number of the node before the point, and distance from it
+        double node[3];
+        double w[3];
+
+        for (int d = 0; d < 3; ++d)
+        {
+            const double s = (x(d, point) - origin[d])*perSpacing[d];
+
+            node[d] = std::min(std::max(std::floor(s), low[d]), high[d]);
+            w[d] = s - node[d];
+        }
 
         const Eigen::Index corner =
-            Eigen::Index(offset[0])
-          + Eigen::Index(offset[1])*row
-          + Eigen::Index(offset[2])*layer;
+            Eigen::Index(node[0] - low[0])
+          + Eigen::Index(node[1] - low[1])*row
+          + Eigen::Index(node[2] - low[2])*layer;
 
         const auto along = [&](const Eigen::Index at) -> velocity
         {

@@ -298,8 +298,12 @@ TEST(regionSampler, isCloseToAStandingWave)
         return std::sin((k & x) + 0.7)*vector(1, -0.5, 0.2);
     };
 
-    const double atWalls =
-        samplingError(*cells.mesh, boundBox(vector::zero, {0.1, 0.1, 0.1}), wave);
+    const double atWalls = samplingError
+    (
+        *cells.mesh,
+        boundBox(vector::zero, {0.1, 0.1, 0.1}),
+        wave
+    );
     const double inside = samplingError
     (
         *cells.mesh,
@@ -351,12 +355,18 @@ TEST(regionSampler, isExactForALinearField)
     // One cell thick in z, where nothing varies
     const block cells({7, 5, 1}, {0.3, 0.4, 0.01});
 
-    EXPECT_NEAR(samplingError(*cells.mesh, cells.mesh->bounds(), shear), 0, 1e-11);
+    const double thin =
+        samplingError(*cells.mesh, cells.mesh->bounds(), shear);
+
+    EXPECT_NEAR(thin, 0, 1e-11);
 
     // Two cells resolve a linear field, but no more
     const block few({2, 2, 2}, {1, 1, 1});
 
-    EXPECT_NEAR(samplingError(*few.mesh, few.mesh->bounds(), shear), 0, 1e-11);
+    const double coarse =
+        samplingError(*few.mesh, few.mesh->bounds(), shear);
+
+    EXPECT_NEAR(coarse, 0, 1e-11);
 }
 
 
