@@ -79,8 +79,13 @@ Foam::autoPtr<Foam::psiThermo> Foam::acoustics::compressibleSound::makeThermo
 
 
 Foam::acoustics::gasProperties
-Foam::acoustics::compressibleSound::meanGas() const
+Foam::acoustics::compressibleSound::undisturbedGas()
 {
+    if (storedGas_.size())
+    {
+        return gasProperties::read(storedGas_);
+    }
+
     const auto mean = [this](const volScalarField& field)
     {
         return field.weightedAverage(mesh_.V()).value();
@@ -97,6 +102,12 @@ Foam::acoustics::compressibleSound::meanGas() const
     const scalar W = mean(psi_)*constant::thermodynamic::RR*gas.T;
     gas.meanFreePath =
         gasProperties::kineticMeanFreePath(gas.mu, gas.rho, gas.T, W);
+
+    storedGas_.add("rho", gas.rho);
+    storedGas_.add("mu", gas.mu);
+    storedGas_.add("T", gas.T);
+    storedGas_.add("c", gas.c);
+    storedGas_.add("meanFreePath", gas.meanFreePath);
 
     return gas;
 }
@@ -148,7 +159,19 @@ Foam::acoustics::compressibleSound::compressibleSound
     ),
     K_("K", 0.5*magSqr(U_)),
     fvOptions_(fv::options::New(mesh)),
-    gas_(meanGas())
+    storedGas_
+    (
+        IOobject
+        (
+            "undisturbedGas",
+            mesh.time().timeName(),
+            "uniform",
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        )
+    ),
+    gas_(undisturbedGas())
 {
     mesh.setFluxRequired(p_.name());
     turbulence_->validate();

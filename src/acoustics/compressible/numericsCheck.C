@@ -161,7 +161,7 @@ void Foam::acoustics::numericsCheck::warn
      || cellsPerWavelength_ < 0.99*minCellsPerWavelength
     )
     {
-        const scalar loss = 390/pow3(stepsPerPeriod_);
+        const scalar loss = min(390/pow3(stepsPerPeriod_), scalar(1));
         const scalar shift =
             sqr(twoPi/cellsPerWavelength_)/24 + sqr(twoPi/stepsPerPeriod_)/3;
 
