@@ -2,9 +2,10 @@
 #include "checkedEntry.H"
 #include "fvMesh.H"
 #include "mathematicalConstants.H"
-#include "OStringStream.H"
 #include "particleSource.H"
 #include "Time.H"
+
+#include <sstream>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -101,12 +102,7 @@ Foam::aerosol::aerosolCloud::aerosolCloud
 
     // Rows at whole intervals, also after a restart
     nextRow_ = interval_*std::floor(now/interval_);
-    Info<< "Aerosol: " << particles_.size() << " particles in "
-        << domain_->volume() << " m3, "
-        << particles_.size()/domain_->volume() << " per m3, diameters "
-        << particles_.d.minCoeff() << " to " << particles_.d.maxCoeff()
-        << " m, mass concentration "
-        << particles_.m.sum()/domain_->volume() << " kg/m3" << nl << endl;
+    Info<< summary().c_str() << nl << endl;
 
     tabulate();
 }
@@ -229,9 +225,12 @@ void Foam::aerosol::aerosolCloud::checkSize() const
     const scalar displacement = 2*u12/omega;
     const scalar layer = sqrt(2*sound_.gas().nu()/omega);
 
-    Info<< "Relative displacement of the smallest and the largest particle "
+    std::ostringstream os;
+    os  << "Relative displacement of the smallest and the largest particle "
         << displacement << " m (peak to peak), Stokes layer " << layer
-        << " m, shortest edge of the domain " << shortest << " m" << nl;
+        << " m, shortest edge of the domain " << shortest << " m";
+
+    Info<< os.str().c_str() << nl;
 
     if (shortest < displacement || shortest < 4*layer)
     {
@@ -307,14 +306,29 @@ void Foam::aerosol::aerosolCloud::evolve()
 }
 
 
+std::string Foam::aerosol::aerosolCloud::summary() const
+{
+    const scalar volume = domain_->volume();
+
+    std::ostringstream os;
+
+    os  << "Aerosol: " << particles_.size() << " particles in " << volume
+        << " m3, " << particles_.size()/volume << " per m3, diameters "
+        << particles_.d.minCoeff() << " to " << particles_.d.maxCoeff()
+        << " m, mass concentration " << particles_.m.sum()/volume << " kg/m3";
+
+    return os.str();
+}
+
+
 std::string Foam::aerosol::aerosolCloud::progress() const
 {
-    OStringStream os;
+    std::ostringstream os;
 
     os  << particles_.size() << " of " << N0_
         << " particles left, agglomeration efficiency "
         << 100*(1 - scalar(particles_.size())/N0_) << " %, "
-        << label(contacts_.count()) << " contacts";
+        << contacts_.count() << " contacts";
 
     return os.str();
 }
@@ -325,7 +339,7 @@ std::string Foam::aerosol::aerosolCloud::effort() const
     const timeStepping::effort& done = timeStepping_->done();
     const scalar n = max(scalar(done.fluidSteps), scalar(1));
 
-    OStringStream os;
+    std::ostringstream os;
 
     os  << "Per fluid step: "
         << done.particleSteps/n << " particle steps, "
