@@ -8,6 +8,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "checkedEntry.H"
 #include "fvMesh.H"
+#include "mathematicalConstants.H"
 #include "numericsCheck.H"
 #include "regionSampler.H"
 #include "soundLevel.H"
@@ -219,6 +220,25 @@ void Foam::acoustics::compressibleSound::prepare(const boundBox& region)
 {
     sampler_.reset(new regionSampler(mesh_, region));
     sampler_->reset(U_.oldTime(), U_);
+
+    const Eigen::Array3d& spacing = sampler_->lattice().spacing();
+    const scalar error = sampler_->interpolationError
+    (
+        constant::mathematical::twoPi*frequency()/gas_.c
+    );
+
+    Info<< "    gas velocity from nodes (" << spacing[0] << ' ' << spacing[1]
+        << ' ' << spacing[2] << ") m apart: up to " << 100*error
+        << " % of the amplitude are lost between them" << endl;
+
+    if (error > 1e-3)
+    {
+        WarningInFunction
+            << "The region in which the gas velocity is needed is so large, or"
+            << " the mesh so coarse, that the nodes do not resolve the sound"
+            << " well: " << 100*error << " % of the velocity amplitude are"
+            << " lost between them" << endl;
+    }
 }
 
 

@@ -49,6 +49,16 @@ struct Foam::acoustics::regionSampler::cells
 
     //- Size of the box around each cell
     Eigen::Matrix3Xd size;
+
+    //- 1 in directions in which there is more than one layer of cells, else 0
+    Eigen::Array3d resolved() const
+    {
+        const Eigen::Array3d layers =
+            centre.rowwise().maxCoeff() - centre.rowwise().minCoeff();
+        const Eigen::Array3d cell = size.rowwise().minCoeff();
+
+        return (layers > 0.5*cell).cast<double>();
+    }
 };
 
 
@@ -176,7 +186,6 @@ Foam::acoustics::regionSampler::gatherCells
 
 void Foam::acoustics::regionSampler::makeLattice
 (
-    const polyMesh& mesh,
     const boundBox& region,
     const cells& nearby
 )
@@ -187,18 +196,8 @@ void Foam::acoustics::regionSampler::makeLattice
     const Eigen::Array3d cell = nearby.size.rowwise().minCoeff();
 
     // Intervals between nodes
-    Eigen::Array3d n = (nodesPerCell*span/cell).ceil().max(1.0);
-
-    for (int d = 0; d < 3; ++d)
-    {
-        const double layer =
-            nearby.centre.row(d).maxCoeff() - nearby.centre.row(d).minCoeff();
-
-        if (mesh.solutionD()[d] == -1 || layer < 0.5*cell[d])
-        {
-            n[d] = 1;
-        }
-    }
+    Eigen::Array3d n =
+        (resolved_*nodesPerCell*span/cell).ceil().max(1.0);
 
     while ((n + 1).prod() > maxNodes)
     {
@@ -232,20 +231,12 @@ void Foam::acoustics::regionSampler::makeStencils
 {
     const Eigen::Index nCells = nearby.centre.cols();
 
-    Eigen::Array3d solved;
-    int nResolved = 0;
+    const int nResolved = int(resolved_.sum());
 
+    Eigen::Array3d solved;
     for (int d = 0; d < 3; ++d)
     {
-        const double layer =
-            nearby.centre.row(d).maxCoeff() - nearby.centre.row(d).minCoeff();
-
         solved[d] = mesh.solutionD()[d] == -1 ? 0 : 1;
-
-        if (layer > 0.5*nearby.size.row(d).minCoeff())
-        {
-            ++nResolved;
-        }
     }
 
     // Bins of cells, to find the near ones
@@ -453,12 +444,23 @@ Foam::acoustics::regionSampler::regionSampler
 
     const cells nearby = gatherCells(mesh, all);
 
-    makeLattice(mesh, all, nearby);
+    resolved_ = nearby.resolved();
+    makeLattice(all, nearby);
     makeStencils(mesh, nearby);
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::acoustics::regionSampler::interpolationError
+(
+    const scalar waveNumber
+) const
+{
+    return
+        (resolved_*waveNumber*lattice_->spacing()).square().maxCoeff()/8;
+}
+
 
 void Foam::acoustics::regionSampler::reset
 (
