@@ -188,7 +188,7 @@ Foam::acoustics::compressibleSound::compressibleSound
         << " Pa s, T " << gas_.T << " K, c " << gas_.c
         << " m/s, mean free path " << gas_.meanFreePath << " m" << endl;
 
-    if (dict.found("SPL"))
+    if (dict.found("SPL") || dict.found("velocityAmplitude"))
     {
         const soundLevel level = soundLevel::read(dict, gas_);
         expectedVelocity_ = level.uAmplitude();
