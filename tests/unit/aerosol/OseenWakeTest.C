@@ -1,0 +1,513 @@
+#include "wake.H"
+#include "error.H"
+#include "IStringStream.H"
+
+#include <gtest/gtest.h>
+
+#include <cfenv>
+#include <cmath>
+#include <random>
+
+using namespace Foam;
+using namespace Foam::aerosol;
+
+using acoustics::gasProperties;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+const double pi = EIGEN_PI;
+
+using vec = Eigen::Vector3d;
+using longVec = Eigen::Matrix<long double, 3, 1>;
+
+autoPtr<wake> make(const std::string& text)
+{
+    return wake::New(dictionary(IStringStream(text)()));
+}
+
+
+struct source
+{
+    vec r;
+    vec slip;
+    double radius;
+};
+
+
+//- By the code, in full and in partly filled blocks
+std::vector<vec> disturbances(const std::vector<source>& sources)
+{
+    const auto Oseen = make("type Oseen; range 20;");
+    const gasProperties gas = gasProperties::air();
+
+    std::vector<vec> result;
+    wake::block block;
+
+    for (std::size_t first = 0; first < sources.size();)
+    {
+        const int n = static_cast<int>
+        (
+            std::min<std::size_t>(wake::blockSize, sources.size() - first)
+        );
+
+        for (int b = 0; b < wake::blockSize; ++b)
+        {
+            for (int k = 0; k < 3; ++k)
+            {
+                block.r[k](b) = b < n ? sources[first + b].r(k) : 1;
+                block.slip[k](b) = b < n ? sources[first + b].slip(k) : 0;
+            }
+            block.radius(b) = b < n ? sources[first + b].radius : 1;
+        }
+
+        Oseen->evaluate(block, gas);
+
+        for (int b = 0; b < n; ++b)
+        {
+            result.push_back
+            ({
+                block.velocity[0](b), block.velocity[1](b), block.velocity[2](b)
+            });
+        }
+
+        first += n;
+    }
+
+    return result;
+}
+
+
+vec disturbance(const vec& r, const vec& slip, const double radius)
+{
+    return disturbances({{r, slip, radius}})[0];
+}
+
+
+//- As printed: components along r and theta, with 18 digits
+vec polarForm(const source& s)
+{
+    const gasProperties gas = gasProperties::air();
+
+    const longVec r = s.r.cast<long double>();
+    const longVec U = s.slip.cast<long double>();
+
+    const long double speed = U.norm();
+    const longVec axis = U/speed;
+    const longVec er = r/r.norm();
+
+    const long double c = axis.dot(er);
+    const longVec across = axis - c*er;
+    const long double sine = across.norm();
+
+    const long double R = r.norm()/s.radius;
+    const long double Re = 2*s.radius*speed*gas.rho/gas.mu;
+
+    // 1 - cos(theta) without cancellation downstream
+    const long double versine = c > 0 ? sine*sine/(1 + c) : 1 - c;
+
+    const long double E = std::exp(-R*Re/4*versine);
+    const long double oneLessE = -std::expm1(-R*Re/4*versine);
+
+    const long double radial =
+        c/(2*R*R*R) - 3*(1 + c)*E/(4*R) + 3*oneLessE/(Re*R*R);
+    const long double angular = sine/(4*R*R*R) + 3*sine*E/(4*R);
+
+    longVec v = speed*radial*er;
+
+    if (sine > 0)
+    {
+        // theta grows away from the axis
+        v -= speed*angular/sine*across;
+    }
+
+    return v.cast<double>();
+}
+
+
+class randomNumbers
+{
+    std::mt19937_64 engine_;
+
+public:
+
+    explicit randomNumbers(const int seed)
+    :
+        engine_(seed)
+    {}
+
+    double uniform(const double low, const double high)
+    {
+        return low + (high - low)*std::ldexp(double(engine_() >> 11), -53);
+    }
+
+    double logUniform(const double low, const double high)
+    {
+        return std::exp(uniform(std::log(low), std::log(high)));
+    }
+
+    vec direction()
+    {
+        const double z = uniform(-1, 1);
+        const double phi = uniform(0, 2*pi);
+        const double s = std::sqrt(1 - z*z);
+
+        return {s*std::cos(phi), s*std::sin(phi), z};
+    }
+};
+
+
+//- How fast two identical spheres with the same slip part, relative to U
+double parting
+(
+    const double theta,
+    const double r,
+    const double slip,
+    const double radius
+)
+{
+    const vec e(std::cos(theta), std::sin(theta), 0);
+    const vec U(slip, 0, 0);
+
+    const std::vector<vec> w =
+        disturbances({{r*e, U, radius}, {-r*e, U, radius}});
+
+    return (w[0] - w[1]).dot(e)/slip;
+}
+
+
+//- Angle at which attraction turns into repulsion, in degrees
+template<class Parting>
+double neutralAngle(const Parting& parting)
+{
+    double low = 0;
+    double high = 0.5*pi;
+
+    EXPECT_LT(parting(low), 0);
+    EXPECT_GT(parting(high), 0);
+
+    for (int n = 0; n < 50; ++n)
+    {
+        const double theta = 0.5*(low + high);
+
+        (parting(theta) < 0 ? low : high) = theta;
+    }
+
+    return low*180/pi;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(OseenWake, isThePolarForm)
+{
+    const double nu = gasProperties::air().nu();
+    randomNumbers random(1);
+    std::vector<source> sources;
+
+    for (int n = 0; n < 20000; ++n)
+    {
+        source s;
+        s.radius = random.logUniform(0.1e-6, 50e-6);
+        s.slip =
+            random.logUniform(1e-8, 5)*nu/(2*s.radius)*random.direction();
+
+        // From the surface to far away
+        const double distance = s.radius*random.logUniform(1.0001, 200);
+        s.r = distance*random.direction();
+
+        // Some in line, up- or downstream, but for rounding
+        if (n % 10 == 0)
+        {
+            s.r = (n % 20 ? 1 : -1)*distance*s.slip.normalized();
+        }
+        // Some nearly so
+        if (n % 10 == 1)
+        {
+            s.r =
+                distance
+               *(s.slip.normalized() + 1e-5*random.direction()).normalized();
+        }
+
+        sources.push_back(s);
+    }
+
+    const std::vector<vec> v = disturbances(sources);
+
+    for (std::size_t n = 0; n < sources.size(); ++n)
+    {
+        const source& s = sources[n];
+        const vec expected = polarForm(s);
+
+        // The terms are of this size, their sum may be smaller
+        const double scale = s.slip.norm()*s.radius/s.r.norm();
+
+        ASSERT_LT((v[n] - expected).norm(), 1e-10*scale)
+            << n << ": r " << s.r.transpose() << ", slip "
+            << s.slip.transpose() << ", radius " << s.radius;
+    }
+}
+
+
+TEST(OseenWake, isStokesFlowAtSmallReynoldsNumber)
+{
+    randomNumbers random(2);
+    const double a = 1e-6;
+
+    for (int n = 0; n < 200; ++n)
+    {
+        const vec e = random.direction();
+        const vec U = 1e-9*random.direction();
+        const double R = random.logUniform(1, 100);
+
+        // Stokeslet and potential dipole, as a textbook's tensors
+        const vec expected =
+          - 0.75/R*(U + e*e.dot(U)) - 0.25/(R*R*R)*(U - 3*e*e.dot(U));
+
+        EXPECT_LT((disturbance(a*R*e, U, a) - expected).norm(), 1e-16);
+    }
+}
+
+
+TEST(OseenWake, carriesTheGasAtTheSurfaceWithTheSphere)
+{
+    randomNumbers random(3);
+    const double a = 3e-6;
+
+    for (int n = 0; n < 200; ++n)
+    {
+        const vec U = 1e-9*random.direction();
+
+        EXPECT_LT
+        (
+            (disturbance(a*random.direction(), U, a) + U).norm(), 1e-9*U.norm()
+        );
+    }
+}
+
+
+TEST(OseenWake, isFreeOfDivergence)
+{
+    const double nu = gasProperties::air().nu();
+    randomNumbers random(4);
+
+    for (int n = 0; n < 300; ++n)
+    {
+        const double a = 5e-6;
+        const double R = random.logUniform(1.1, 30);
+        const double Re = random.logUniform(1e-4, 5);
+        const vec x = a*R*random.direction();
+        const vec U = Re*nu/(2*a)*random.direction();
+
+        // Fourth-order central differences
+        const double h = 1e-3*a*R;
+        double divergence = 0;
+        double gradient = 0;
+
+        for (int k = 0; k < 3; ++k)
+        {
+            const vec s = h*vec::Unit(k);
+            const vec slope =
+            (
+                8*(disturbance(x + s, U, a) - disturbance(x - s, U, a))
+              - (disturbance(x + 2*s, U, a) - disturbance(x - 2*s, U, a))
+            )/(12*h);
+
+            divergence += slope(k);
+            gradient += slope.norm();
+        }
+
+        EXPECT_LT(std::abs(divergence), 1e-7*gradient) << R << ' ' << Re;
+    }
+}
+
+
+TEST(OseenWake, bringsAsMuchGasAsItTakesAway)
+{
+    const double nu = gasProperties::air().nu();
+    const double a = 5e-6;
+
+    for (const double Re : {1e-6, 0.1, 2.0})
+    {
+        for (const double R : {1.5, 10.0})
+        {
+            // Flow through a sphere by the mid-point rule in cos(theta), with
+            // the substitution c = 1 - s^2 that resolves the wake
+            const vec U(Re*nu/(2*a), 0, 0);
+            const int n = 4000;
+            double in = 0;
+            double out = 0;
+
+            for (int m = 0; m < n; ++m)
+            {
+                const double s = std::sqrt(2.0)*(m + 0.5)/n;
+                const double c = 1 - s*s;
+                const vec e(c, std::sqrt(1 - c*c), 0);
+                const double flow = 2*s*disturbance(a*R*e, U, a).dot(e);
+
+                (flow < 0 ? in : out) += flow;
+            }
+
+            EXPECT_LT(in, 0);
+            EXPECT_NEAR(out/in, -1, 1e-6) << Re << ' ' << R;
+        }
+    }
+}
+
+
+TEST(OseenWake, leavesAWakeDownstreamOnly)
+{
+    const double a = 4e-6;
+    const vec U(0.5, 0, 0);
+
+    for (const double R : {20.0, 100.0, 400.0})
+    {
+        const vec down = disturbance({a*R, 0, 0}, U, a);
+        EXPECT_NEAR(down.x()*R/U.x(), -1.5, 0.6/(R*R));
+        EXPECT_EQ(down.y(), 0);
+        EXPECT_EQ(down.z(), 0);
+    }
+
+    // Upstream a source remains, 3/(Re R^2)
+    const double Re = 2*a*0.5/gasProperties::air().nu();
+    const double R = 400;
+    const vec up = disturbance({-a*R, 0, 0}, U, a);
+
+    EXPECT_NEAR(-up.x()/U.x(), 3/(Re*R*R), 0.01*3/(Re*R*R));
+
+    // The wake changes sides when the slip turns round
+    EXPECT_LT
+    (
+        (disturbance({-a*R, 0, 0}, -U, a) + disturbance({a*R, 0, 0}, U, a))
+       .norm(),
+        1e-18
+    );
+}
+
+
+TEST(OseenWake, isNothingWithoutSlip)
+{
+    std::feclearexcept(FE_ALL_EXCEPT);
+
+    EXPECT_EQ(disturbance({1e-5, -2e-5, 3e-6}, vec::Zero(), 1e-6).norm(), 0);
+
+    // Nor do tiny or huge values harm
+    for (const double speed : {1e-300, 1e-30, 1e3})
+    {
+        for (const double r : {1e-9, 1e-6, 1.0})
+        {
+            const vec w = disturbance({r, 0, -r}, {speed, 0, 0}, 1e-6);
+            EXPECT_TRUE(w.allFinite());
+            EXPECT_LE(w.norm(), 3*speed);
+        }
+    }
+
+    EXPECT_FALSE(std::fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW));
+}
+
+
+TEST(OseenWake, hasTheValueOfTheSurfaceInsideTheSphere)
+{
+    randomNumbers random(5);
+    const double a = 2e-6;
+
+    for (int n = 0; n < 100; ++n)
+    {
+        const vec e = random.direction();
+        const vec U = 0.3*random.direction();
+        const vec surface = disturbance(a*e, U, a);
+
+        for (const double R : {0.9, 0.5, 1e-3, 1e-9})
+        {
+            EXPECT_LT
+            (
+                (disturbance(R*a*e, U, a) - surface).norm(), 1e-14*U.norm()
+            );
+        }
+    }
+}
+
+
+TEST(OseenWake, attractsInLineAndRepelsAbreast)
+{
+    // Re to 0: 3 cos^2 = 1
+    EXPECT_NEAR
+    (
+        neutralAngle
+        (
+            [](double t) { return parting(t, 50e-6, 1e-5, 4e-6); }
+        ),
+        std::acos(std::sqrt(1.0/3))*180/pi,
+        0.01
+    );
+
+    // Mean over a cycle of 8 um, 0.44 m/s at 200 um
+    const auto mean = [](const double theta)
+    {
+        double sum = 0;
+        const int n = 40;
+
+        for (int m = 0; m < n; ++m)
+        {
+            const double slip = 0.44*std::sin(pi*(m + 0.5)/n);
+            sum += slip*parting(theta, 200e-6, slip, 4e-6);
+        }
+
+        return sum/n;
+    };
+
+    EXPECT_NEAR(neutralAngle(mean), 51.9, 0.2);
+}
+
+
+TEST(OseenWake, attractsAnAlignedPairAsDerived)
+{
+    const double a = 4e-6;
+    const double nu = gasProperties::air().nu();
+
+    for (const double r : {20e-6, 100e-6, 500e-6})
+    {
+        for (const double U : {0.01, 0.1, 0.44})
+        {
+            const double chi = r*U/nu;
+            const double expected =
+              - 1.5*a/r*(1 + std::expm1(-chi)/chi);
+
+            EXPECT_NEAR(parting(0, r, U, a)/expected, 1, 1e-10);
+        }
+    }
+}
+
+
+TEST(OseenWake, reachesSoManyDiametersOfTheSource)
+{
+    scalars d(3);
+    d << 1e-6, 5e-6, 2e-5;
+
+    const scalars range = make("type Oseen; range 20;")->range(d);
+
+    ASSERT_EQ(range.size(), 3);
+    EXPECT_NEAR(range(0), 2e-5, 1e-18);
+    EXPECT_NEAR(range(1), 1e-4, 1e-17);
+    EXPECT_NEAR(range(2), 4e-4, 1e-17);
+
+    EXPECT_TRUE(make("type Oseen; range 20;")->active());
+    EXPECT_FALSE(make("type none;")->active());
+    EXPECT_TRUE((make("type none;")->range(d) == 0).all());
+}
+
+
+TEST(OseenWake, rejectsWhatMakesNoSense)
+{
+    EXPECT_THROW(make("type Oseen;"), IOerror);
+    EXPECT_THROW(make("type Oseen; range 0;"), IOerror);
+    EXPECT_THROW(make("type Oseen; range -20;"), IOerror);
+    EXPECT_THROW(make("type Osen; range 20;"), IOerror);
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,468 @@
+#include "contacts.H"
+#include "error.H"
+#include "IStringStream.H"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <random>
+
+using namespace Foam;
+using namespace Foam::aerosol;
+
+using encounter = Foam::aerosol::contactOutcome::encounter;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using vec = Eigen::Vector3d;
+
+const double period = 1e-3;
+
+contacts make
+(
+    const std::string& contact = "stick",
+    const std::string& aggregate = "equivalentSphere"
+)
+{
+    return contacts
+    (
+        dictionary
+        (
+            IStringStream
+            (
+                "contact { type " + contact + "; }"
+                "aggregate { type " + aggregate + "; }"
+            )()
+        )
+    );
+}
+
+
+class randomNumbers
+{
+    std::mt19937_64 engine_;
+
+public:
+
+    explicit randomNumbers(const int seed)
+    :
+        engine_(seed)
+    {}
+
+    double uniform(const double low, const double high)
+    {
+        return low + (high - low)*std::ldexp(double(engine_() >> 11), -53);
+    }
+
+    vec point(const double extent)
+    {
+        return
+        {
+            uniform(-extent, extent),
+            uniform(-extent, extent),
+            uniform(-extent, extent)
+        };
+    }
+
+    int whole(const int end)
+    {
+        return static_cast<int>(engine_() % end);
+    }
+};
+
+
+//- Particles with random positions, velocities, diameters and densities
+particleArrays randomParticles
+(
+    const int n,
+    randomNumbers& random,
+    const double sizeRatio
+)
+{
+    particleArrays p;
+    p.resize(n);
+
+    for (int i = 0; i < n; ++i)
+    {
+        p.id(i) = 7*i + 3;
+        p.x.col(i) = random.point(0.5*period);
+        p.v.col(i) = random.point(1);
+        p.d(i) = 1e-7*std::pow(sizeRatio, random.uniform(0, 1));
+        p.m(i) = random.uniform(500, 3000)*EIGEN_PI/6*std::pow(p.d(i), 3);
+        p.primaries(i) = 1 + random.whole(5);
+    }
+
+    return p;
+}
+
+
+//- The particles touch, j as its image, somewhere near to where they are
+encounter touching
+(
+    const particleArrays& p,
+    const int i,
+    const int j,
+    const vec& shift,
+    const vec& direction
+)
+{
+    encounter pair;
+    pair.i = i;
+    pair.j = j;
+    pair.xi = p.x.col(i);
+    pair.xj = pair.xi + 0.5*(p.d(i) + p.d(j))*direction;
+    pair.shift = shift;
+    pair.vi = p.v.col(i);
+    pair.vj = p.v.col(j);
+    pair.time = 0;
+
+    return pair;
+}
+
+
+//- Sums with 18 digits
+struct sums
+{
+    long double mass = 0;
+    long double volume = 0;
+    long double speeds = 0;
+    Eigen::Matrix<long double, 3, 1> momentum;
+    std::int64_t primaries = 0;
+
+    explicit sums(const particleArrays& p)
+    :
+        momentum(0, 0, 0)
+    {
+        for (int i = 0; i < p.size(); ++i)
+        {
+            const long double m = p.m(i);
+            const long double d = p.d(i);
+
+            mass += m;
+            volume += d*d*d;
+            momentum += m*p.v.col(i).cast<long double>();
+            speeds += m*p.v.col(i).norm();
+            primaries += p.primaries(i);
+        }
+    }
+};
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(contacts, conserveWhatTwoParticlesHave)
+{
+    randomNumbers random(1);
+
+    for (int n = 0; n < 2000; ++n)
+    {
+        const particleArrays before = randomParticles(2, random, 1000);
+        const vec direction = random.point(1).normalized();
+
+        // Across a face, an edge or a corner, in any direction, or inside
+        const vec shift
+        (
+            period*(random.whole(3) - 1),
+            period*(random.whole(3) - 1),
+            period*(random.whole(3) - 1)
+        );
+
+        const int i = random.whole(2);
+        const int j = 1 - i;
+
+        const encounter pair = touching(before, i, j, shift, direction);
+
+        particleArrays p = before;
+        contacts meetings = make();
+        const int survivor = meetings.meet(p, pair);
+
+        ASSERT_TRUE(survivor == 0 || survivor == 1);
+        EXPECT_EQ(meetings.count(), 1);
+        EXPECT_TRUE(meetings.absorbed(1 - survivor));
+        EXPECT_FALSE(meetings.absorbed(survivor));
+
+        const int heavier = before.m(0) >= before.m(1) ? 0 : 1;
+
+        EXPECT_EQ(survivor, heavier);
+
+        meetings.sweep(p);
+
+        ASSERT_EQ(p.size(), 1);
+        EXPECT_EQ(p.id(0), before.id(heavier));
+        EXPECT_EQ(p.m(0), before.m(0) + before.m(1));
+        EXPECT_EQ(p.primaries(0), before.primaries(0) + before.primaries(1));
+
+        const sums old(before);
+        const sums now(p);
+
+        EXPECT_NEAR(double(now.volume/old.volume), 1, 3e-15);
+        EXPECT_LT
+        (
+            double((now.momentum - old.momentum).norm()),
+            4e-16*double(old.speeds)
+        );
+
+        // In the frame of i, or in that of j, which is one shift away
+        const vec centre =
+            pair.xi
+          + before.m(j)/(before.m(0) + before.m(1))*(pair.xj - pair.xi)
+          - (heavier == i ? vec(0, 0, 0) : shift);
+
+        EXPECT_LT((p.x.col(0) - centre).norm(), 1e-18);
+
+        // Not farther than the sum of radii from where the heavier was
+        const vec own = heavier == i ? pair.xi : vec(pair.xj - shift);
+        EXPECT_LT
+        (
+            (p.x.col(0) - own).norm(),
+            0.5*(before.d(0) + before.d(1))
+        );
+    }
+}
+
+
+TEST(contacts, keepSmallPartnersOutOfRounding)
+{
+    // 1e-9 of the mass, and a centre that moves by 5e-16 m at 1e-3 m
+    randomNumbers random(2);
+    particleArrays p = randomParticles(2, random, 1);
+
+    p.d << 1e-6, 1e-9;
+    p.m << 1e-15, 1e-24;
+    p.x.setZero();
+    p.v.setZero();
+    p.v(0, 1) = 3;
+
+    encounter pair = touching(p, 0, 1, vec::Zero(), vec::UnitX());
+    const double gap = pair.xj.x();
+
+    make().meet(p, pair);
+
+    EXPECT_EQ(p.m(0), 1e-15 + 1e-24);
+    EXPECT_NEAR(p.x(0, 0)/(1e-9*gap), 1, 2e-9);
+    EXPECT_NEAR(p.v(0, 0)/3e-9, 1, 2e-9);
+}
+
+
+TEST(contacts, leaveTheHeavierOrElseTheLowerId)
+{
+    for (const int i : {0, 1})
+    {
+        for (const bool heavierFirst : {true, false})
+        {
+            randomNumbers random(3);
+            particleArrays p = randomParticles(2, random, 10);
+
+            p.m << (heavierFirst ? 2e-15 : 1e-15),
+                   (heavierFirst ? 1e-15 : 2e-15);
+
+            // Size does not count
+            p.d << (heavierFirst ? 1e-6 : 2e-6),
+                   (heavierFirst ? 2e-6 : 1e-6);
+
+            const encounter pair =
+                touching(p, i, 1 - i, vec::Zero(), vec::UnitX());
+
+            EXPECT_EQ(make().meet(p, pair), heavierFirst ? 0 : 1);
+        }
+
+        for (const bool lowerFirst : {true, false})
+        {
+            randomNumbers random(4);
+            particleArrays p = randomParticles(2, random, 10);
+
+            p.m.setConstant(1e-15);
+            p.id << (lowerFirst ? 5 : 9), (lowerFirst ? 9 : 5);
+
+            const encounter pair =
+                touching(p, i, 1 - i, vec::Zero(), vec::UnitX());
+
+            contacts meetings = make();
+            EXPECT_EQ(meetings.meet(p, pair), lowerFirst ? 0 : 1);
+
+            meetings.sweep(p);
+            ASSERT_EQ(p.size(), 1);
+            EXPECT_EQ(p.id(0), 5);
+        }
+    }
+}
+
+
+TEST(contacts, conserveThroughTenThousandMerges)
+{
+    const int n = 10001;
+    randomNumbers random(5);
+    particleArrays p = randomParticles(n, random, 100);
+    const sums before(p);
+
+    contacts meetings = make();
+
+    while (p.size() > 1)
+    {
+        // Among those that are left, some chains within one sweep
+        const int batch = std::min(p.size() - 1, 1 + random.whole(200));
+        std::vector<int> alive(p.size());
+        std::iota(alive.begin(), alive.end(), 0);
+
+        for (int b = 0; b < batch; ++b)
+        {
+            const int a = random.whole(int(alive.size()));
+            std::swap(alive[a], alive.back());
+            const int c = random.whole(int(alive.size()) - 1);
+
+            const encounter pair = touching
+            (
+                p, alive[c], alive.back(), vec::Zero(), vec::UnitY()
+            );
+
+            const int survivor = meetings.meet(p, pair);
+
+            ASSERT_TRUE(survivor == alive[c] || survivor == alive.back());
+            ASSERT_TRUE
+            (
+                meetings.absorbed(survivor == pair.i ? pair.j : pair.i)
+            );
+
+            alive[c] = survivor;
+            alive.pop_back();
+        }
+
+        meetings.sweep(p);
+        ASSERT_EQ(p.size(), int(alive.size()));
+    }
+
+    EXPECT_EQ(meetings.count(), n - 1);
+
+    const sums after(p);
+
+    EXPECT_NEAR(double(after.mass/before.mass), 1, 1e-12);
+    EXPECT_NEAR(double(after.volume/before.volume), 1, 1e-12);
+    EXPECT_LT
+    (
+        double((after.momentum - before.momentum).norm()/before.speeds), 1e-12
+    );
+    EXPECT_EQ(after.primaries, before.primaries);
+}
+
+
+TEST(contacts, sweepKeepsTheOrder)
+{
+    randomNumbers random(6);
+    const particleArrays before = randomParticles(50, random, 10);
+    particleArrays p = before;
+
+    contacts meetings = make();
+
+    // Nothing to sweep
+    meetings.sweep(p);
+    EXPECT_EQ(p.size(), 50);
+
+    for (const auto& pair : {std::pair<int, int>{0, 49}, {7, 8}, {20, 3}})
+    {
+        meetings.meet
+        (
+            p,
+            touching(p, pair.first, pair.second, vec::Zero(), vec::UnitZ())
+        );
+    }
+
+    std::vector<int> left;
+    for (int i = 0; i < 50; ++i)
+    {
+        if (!meetings.absorbed(i))
+        {
+            left.push_back(i);
+        }
+    }
+
+    const particleArrays merged = p;
+    meetings.sweep(p);
+
+    ASSERT_EQ(p.size(), 47);
+    ASSERT_EQ(left.size(), 47u);
+
+    for (int i = 0; i < 47; ++i)
+    {
+        EXPECT_EQ(p.id(i), before.id(left[i]));
+        EXPECT_EQ(p.x.col(i), merged.x.col(left[i]));
+        EXPECT_EQ(p.v.col(i), merged.v.col(left[i]));
+        EXPECT_EQ(p.d(i), merged.d(left[i]));
+        EXPECT_EQ(p.m(i), merged.m(left[i]));
+        EXPECT_EQ(p.primaries(i), merged.primaries(left[i]));
+        EXPECT_FALSE(meetings.absorbed(i));
+    }
+
+    // A second sweep has nothing left to do
+    meetings.sweep(p);
+    EXPECT_EQ(p.size(), 47);
+}
+
+
+TEST(contacts, withoutAggregatesAreCountedAndChangeNothing)
+{
+    randomNumbers random(7);
+    const particleArrays before = randomParticles(2, random, 10);
+    particleArrays p = before;
+
+    contacts meetings = make("stick", "none");
+
+    EXPECT_TRUE(meetings.active());
+    EXPECT_FALSE(meetings.merges());
+
+    EXPECT_EQ
+    (
+        meetings.meet(p, touching(p, 0, 1, vec::Zero(), vec::UnitX())), -1
+    );
+    EXPECT_EQ(meetings.count(), 1);
+    EXPECT_FALSE(meetings.absorbed(0));
+    EXPECT_FALSE(meetings.absorbed(1));
+
+    meetings.sweep(p);
+
+    ASSERT_EQ(p.size(), 2);
+    EXPECT_EQ(p.x, before.x);
+    EXPECT_EQ(p.v, before.v);
+    EXPECT_TRUE((p.m == before.m).all());
+    EXPECT_TRUE((p.d == before.d).all());
+}
+
+
+TEST(contacts, noneAreNotLookedFor)
+{
+    EXPECT_FALSE(make("none").active());
+    EXPECT_TRUE(make("stick").active());
+    EXPECT_TRUE(make("stick").merges());
+}
+
+
+TEST(contacts, goOnCountingAfterARestart)
+{
+    randomNumbers random(8);
+    particleArrays p = randomParticles(2, random, 10);
+    contacts meetings = make();
+
+    EXPECT_EQ(meetings.count(), 0);
+
+    // More than a 32-bit number holds
+    const std::int64_t many = 5000000000;
+    meetings.setCount(many);
+    meetings.meet(p, touching(p, 0, 1, vec::Zero(), vec::UnitX()));
+
+    EXPECT_EQ(meetings.count(), many + 1);
+}
+
+
+TEST(contacts, rejectUnknownNames)
+{
+    EXPECT_THROW(make("glue"), IOerror);
+    EXPECT_THROW(make("stick", "snowman"), IOerror);
+}
+
+
+// ************************************************************************* //
