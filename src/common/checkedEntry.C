@@ -1,7 +1,8 @@
 #include "checkedEntry.H"
 
+#include "ITstream.H"
+#include "OStringStream.H"
 #include "dictionary.H"
-#include "dimensionedScalar.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -22,6 +23,22 @@ void refuse
         << exit(Foam::FatalIOError);
 }
 
+
+//- Not a number at all
+void refuseText
+(
+    const Foam::dictionary& dict,
+    const Foam::word& key,
+    const Foam::string& what
+)
+{
+    FatalIOErrorInFunction(dict)
+        << "Entry '" << key << "' of " << dict.name() << ' ' << what.c_str()
+        << ", but it must be a number in SI units, alone or after its"
+        << " dimensions in brackets"
+        << exit(Foam::FatalIOError);
+}
+
 } // End anonymous namespace
 
 
@@ -34,7 +51,46 @@ Foam::scalar Foam::readFinite
     const dimensionSet& dimensions
 )
 {
-    const scalar value = dimensionedScalar(key, dimensions, dict).value();
+    // Not by dimensionedScalar: of a word it says "attempt to read beyond EOF",
+    // and of wrong dimensions it aborts with a stack trace
+    ITstream& is = dict.lookup(key);
+    scalar multiplier = 1;
+
+    if
+    (
+        is.size()
+     && is[0].isPunctuation()
+     && is[0].pToken() == token::BEGIN_SQR
+    )
+    {
+        dimensionSet given(dimless);
+        given.read(is, multiplier);
+
+        if (given != dimensions)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry '" << key << "' of " << dict.name()
+                << " has the dimensions " << given << ", but it must have "
+                << dimensions
+                << exit(FatalIOError);
+        }
+    }
+
+    if (is.nRemainingTokens() != 1)
+    {
+        refuseText(dict, key, "does not hold one number");
+    }
+
+    const token number(is);
+
+    if (!number.isNumber())
+    {
+        OStringStream text;
+        text << number;
+        refuseText(dict, key, "is '" + text.str() + "'");
+    }
+
+    const scalar value = multiplier*number.number();
 
     if (!std::isfinite(value))
     {
