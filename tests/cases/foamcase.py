@@ -12,7 +12,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 class FoamCase:
-    """A copy of a tutorial in a scratch directory."""
+    """A copy of a tutorial, or of another case, in a scratch directory."""
 
     def __init__(self, tutorial, directory):
         self.path = Path(directory)
@@ -21,7 +21,10 @@ class FoamCase:
             self.path,
             ignore=shutil.ignore_patterns("log.*", "[1-9]*", "postProcessing"),
         )
-        shutil.copytree(self.path/"0.orig", self.path/"0", dirs_exist_ok=True)
+        if (self.path/"0.orig").is_dir():
+            shutil.copytree(
+                self.path/"0.orig", self.path/"0", dirs_exist_ok=True
+            )
 
     def write(self, name, text):
         """Replace a file by another text."""
@@ -34,7 +37,7 @@ class FoamCase:
         assert n, f"{pattern} is not in {name}"
         file.write_text(content)
 
-    def run(self, *command):
+    def run(self, *command, status=0):
         """Run a program in the case and return its log."""
         log = self.path/f"log.{command[0]}"
         with log.open("a") as out:
@@ -48,7 +51,7 @@ class FoamCase:
                 check=False,
             )
         text = log.read_text(errors="replace")
-        assert result.returncode == 0, text[-3000:]
+        assert result.returncode == status, text[-3000:]
         return text
 
     def probes(self, function, field):

@@ -1,0 +1,110 @@
+"""What the tests of the aerosol read: its tables, and the files of its cloud."""
+
+import re
+from pathlib import Path
+
+import numpy as np
+from foamcase import FoamCase
+
+BASE = Path(__file__).resolve().parent/"analyticBox"
+
+
+class AerosolCase(FoamCase):
+    """A case with a cloud; by default tests/cases/analyticBox."""
+
+    def __init__(self, directory, source=BASE):
+        super().__init__(source, directory)
+
+    def entry(self, name, key, value):
+        """Change the value of the only entry of that name in a file."""
+        file = self.path/name
+        content, n = re.subn(
+            rf"(?m)^(\s*{key}\s+)[^;]*;",
+            lambda match: f"{match[1]}{value};",
+            file.read_text(),
+        )
+        assert n == 1, f"{name} has {n} entries {key}"
+        file.write_text(content)
+
+    def aerosol(self, key, value):
+        self.entry("constant/aerosolProperties", key, value)
+
+    def control(self, key, value):
+        self.entry("system/controlDict", key, value)
+
+    def model(self, name, text):
+        """Replace the contents of a dictionary of aerosolProperties."""
+        self.replace(
+            "constant/aerosolProperties",
+            rf"(?ms)^{name}\n\{{.*?^\}}",
+            f"{name}\n{{\n{text}\n}}",
+        )
+
+    def particles(self, rows, density=2300):
+        """Replace the particles by a list of (position, diameter)."""
+        entries = "\n".join(
+            "{{ position ({:.17g} {:.17g} {:.17g}); diameter {:.17g}; }}"
+            .format(*x, d) for x, d in rows
+        )
+        self.model(
+            "particles",
+            f"density {density};\nsource list;\nparticles\n({entries}\n);",
+        )
+
+    def times(self):
+        """Names of the time directories, in order of time."""
+        return sorted(
+            (d.name for d in self.path.iterdir()
+             if re.fullmatch(r"[0-9.e+-]+", d.name)),
+            key=float,
+        )
+
+    def table(self, name="agglomeration"):
+        """Columns by name, without units, of all runs in their order."""
+        rows = []
+        runs = (self.path/"postProcessing"/"aerosol").iterdir()
+        for run in sorted(runs, key=lambda path: float(path.name)):
+            for line in (run/f"{name}.dat").read_text().splitlines():
+                if line.startswith("#"):
+                    header = line[1:].split()
+                else:
+                    rows.append([float(x) for x in line.split()])
+        names = [re.sub(r"\[.*", "", column) for column in header]
+        return dict(zip(names, np.array(rows).T))
+
+    def cloud(self, time):
+        """The particles of a time, by name of the quantity, in order of ids."""
+        folder = self.path/time/"lagrangian"/"aerosol"
+        fields = {
+            name: read_field(folder/name)
+            for name in ("id", "primaries", "d", "mass", "position", "U")
+        }
+        order = np.argsort(fields["id"])
+        return {name: field[order] for name, field in fields.items()}
+
+
+def read_field(file):
+    """The values of an OpenFOAM field of labels, scalars or vectors."""
+    content = file.read_bytes()
+    kind = re.search(rb"class\s+(\w+)Field", content)[1].decode()
+    binary = re.search(rb"format\s+binary", content)
+    size = re.search(rb"\}[^}]*?^(\d+)\s*", content, re.M | re.S)
+    n = int(size[1])
+    width = 3 if kind == "vector" else 1
+
+    if binary:
+        values = np.frombuffer(
+            content, np.int32 if kind == "label" else float,
+            n*width, size.end() + 1,
+        )
+    else:
+        text = content[size.end():].split(b"//")[0]
+        values = np.array(
+            re.sub(rb"[(){}]", b" ", text).split(),
+            int if kind == "label" else float,
+        )
+        if text.startswith(b"{"):  # all alike
+            values = np.tile(values, n)
+
+    assert len(values) == n*width, file
+    return values.reshape(n, width) if width > 1 else values

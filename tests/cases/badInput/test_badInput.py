@@ -1,0 +1,319 @@
+"""Mistakes in a case: the solver says where and what, and does not run.
+
+Each row of the tables is a change of the base case: the file, what is
+replaced there (a regular expression) by what, and what the solver must say.
+"""
+
+import re
+
+import pytest
+
+ACOUSTIC = "constant/acousticProperties"
+AEROSOL = "constant/aerosolProperties"
+CONTROL = "system/controlDict"
+
+SOURCE = r"source +distribution;"
+SIZE = r"size\s*\{[^}]*\}"
+NUMBER = r"numberConcentration [^;]*;"
+
+
+def listed(*particles):
+    """The text of a list of particles, in place of the distribution."""
+    return "source list; particles (" + " ".join(
+        f"{{ position {position}; diameter {diameter}; }}"
+        for position, diameter in particles
+    ) + ");"
+
+
+BAD = {
+    # Missing
+    "noDensity": (AEROSOL, r"density [^;]*;", "", "Entry 'density' not found"),
+    "noLength": (AEROSOL, r"length [^;]*;", "", "Entry 'length' not found"),
+    "noCentre": (AEROSOL, r"centre [^;]*;", "", "Entry 'centre' not found"),
+    "noSize": (AEROSOL, SIZE, "", "Entry 'size' not found"),
+    "noMedian": (AEROSOL, r"median [^;]*;", "", "Entry 'median' not found"),
+    "noRange": (AEROSOL, r"range [^;]*;", "", "Entry 'range' not found"),
+    "noKc": (AEROSOL, r"kc [^;]*;", "", "Entry 'kc' not found"),
+    "noGravity": (AEROSOL, r"value [^;]*;", "", "Entry 'value' not found"),
+    "noSlip": (
+        AEROSOL, r"slipCorrection [^;]*;", "",
+        "Entry 'slipCorrection' not found",
+    ),
+    "noType": (AEROSOL, r"type +Stokes;", "", "Entry 'type' not found"),
+    "noFrequency": (
+        ACOUSTIC, r"frequency [^;]*;", "", "Entry 'frequency' not found",
+    ),
+    "noLevel": (
+        ACOUSTIC, r"SPL [^;]*;", "",
+        "exactly one of the entries SPL .* and velocityAmplitude",
+    ),
+
+    # Too much, or too little
+    "twoLevels": (
+        ACOUSTIC, "SPL", "velocityAmplitude 1; SPL",
+        "exactly one of the entries SPL .* and velocityAmplitude",
+    ),
+    "twoNumbers": (
+        AEROSOL, NUMBER, "numberConcentration 1e12; count 100;",
+        "either 'numberConcentration' or 'count', .* has both",
+    ),
+    "noNumber": (
+        AEROSOL, NUMBER, "",
+        "either 'numberConcentration' or 'count', .* has neither",
+    ),
+
+    # Out of range
+    "negativeDensity": (
+        AEROSOL, "2300", "-2300", "'density' .* is -2300, .* positive",
+    ),
+    "negativeLength": (
+        AEROSOL, r"0\.5e-3", "-1", "'length' .* is .*-1.*, .* positive",
+    ),
+    "flatBox": (
+        AEROSOL, r"length +0\.5e-3", "length (5e-4 5e-4 0)",
+        "'length' .* is .* positive",
+    ),
+    "negativeMedian": (
+        AEROSOL, r"1\.5e-6", "-1e-6", "'median' .* is -1e-06, .* positive",
+    ),
+    "negativeDiameter": (
+        AEROSOL, SOURCE, listed(("(0.0613 0 0)", "-1e-6")),
+        "'diameter' .* is -1e-06, .* positive",
+    ),
+    "negativeFrequency": (
+        ACOUSTIC, "1400", "-1400", "'frequency' .* is -1400, .* positive",
+    ),
+    "negativeAmplitude": (
+        ACOUSTIC, "SPL +147", "velocityAmplitude -1",
+        "'velocityAmplitude' .* is -1, .* zero or more",
+    ),
+    "negativeRange": (
+        AEROSOL, "range +20", "range -20", "'range' .* is -20, .* positive",
+    ),
+    "zeroKc": (AEROSOL, r"kc +0\.1", "kc 0", "'kc' .* is 0, .* positive"),
+    "negativeKp": (AEROSOL, r"kp +1", "kp -1", "'kp' .* is -1, .* positive"),
+    "GSD": (AEROSOL, r"GSD +1\.8", "GSD 0.5", "'GSD' .* is 0.5, .* than 1"),
+    "maxBelowMin": (
+        AEROSOL, "max +10e-6", "max 0.1e-6", "'min' .* less than 'max'",
+    ),
+    "micrometres": (
+        AEROSOL, r"median +1\.5e-6", "median 1.5",
+        "less than one in a million .* in metres",
+    ),
+    "zeroCount": (
+        AEROSOL, NUMBER, "count 0;", "'count' .* is 0, .* positive",
+    ),
+    "halfAParticle": (
+        AEROSOL, NUMBER, "count 10.5;", "10.5, .* whole number",
+    ),
+    "noneInTheBox": (
+        AEROSOL, r"6\.4e12", "1e3", "whole number from 1 .*numberConcentr",
+    ),
+    "crowd": (AEROSOL, r"6\.4e12", "1e17", "no more than 10 %"),
+    "zeroDirection": (
+        ACOUSTIC, "SPL", "direction (0 0 0); SPL", "'direction' .* zero vector",
+    ),
+    "negativeGas": (
+        ACOUSTIC, "SPL", "gas { mu -1; } SPL", "'mu' .* is -1, .* positive",
+    ),
+
+    # Wrong dimensions, not numbers
+    "dimensions": (
+        ACOUSTIC, "1400", "[0 1 0 0 0 0 0] 1400",
+        r"'frequency' .* \[0 1 0 0 0 0 0\], .* \[0 0 -1 0 0 0 0\]",
+    ),
+    "word": (ACOUSTIC, "1400", "high", "'frequency' .* is 'high', .* number"),
+    "wordForCount": (AEROSOL, NUMBER, "count many;", "'count' .* is 'many', .* number"),
+    "wordForCentre": (
+        AEROSOL, r"centre +\([^)]*\)", "centre here", "here.*domain.centre",
+    ),
+    "wordForLength": (
+        AEROSOL, r"length +0\.5e-3", "length long", "long.*domain.length",
+    ),
+    "wordForGravity": (
+        AEROSOL, r"value +\([^)]*\)", "value down", "down.*gravity.value",
+    ),
+    "twoComponents": (
+        AEROSOL, r"length +0\.5e-3", "length (5e-4 5e-4)", "domain.length",
+    ),
+    "nan": (ACOUSTIC, "1400", "nan", "'frequency' .* is 'nan', .* number"),
+    "inf": (AEROSOL, "2300", "inf", "'density' .* is 'inf', .* number"),
+    "infLength": (AEROSOL, r"0\.5e-3", "inf", "inf.*domain.length"),
+    "infInCentre": (AEROSOL, r"0\.0613 0 0", "inf 0 0", "inf.*domain.centre"),
+    "nothing": (ACOUSTIC, "1400", "", "'frequency' .* one number"),
+    "twoValues": (ACOUSTIC, "1400", "1400 Hz", "'frequency' .* one number"),
+
+    # Unknown models
+    "domain": (
+        AEROSOL, "periodicBox", "sphere", "Unknown .*sphere.*periodicBox",
+    ),
+    "source": (
+        AEROSOL, SOURCE, "source magic;",
+        "Unknown .*magic.*distribution.*list",
+    ),
+    "size": (
+        AEROSOL, "lognormal", "gaussian", "Unknown .*gaussian.*lognormal",
+    ),
+    "timeStepping": (
+        AEROSOL, "multipleTimeStep", "slow",
+        "Unknown .*slow.*conventional.*multipleTimeStep",
+    ),
+    "drag": (
+        AEROSOL, "type +Stokes", "type Newton", "Unknown .*Newton.*Stokes",
+    ),
+    "slipCorrection": (
+        AEROSOL, "Cunningham", "Millikan", "Unknown .*Millikan.*Cunningham",
+    ),
+    "wake": (AEROSOL, "Oseen", "Lamb", "Unknown .*Lamb.*Oseen"),
+    "gravity": (
+        AEROSOL, "type +uniform", "type lunar", "Unknown .*lunar.*uniform",
+    ),
+    "contact": (AEROSOL, "stick", "glue", "Unknown .*glue.*stick"),
+    "aggregate": (
+        AEROSOL, "equivalentSphere", "chain", "Unknown .*chain.*equivalentSph",
+    ),
+    "sound": (
+        ACOUSTIC, "standingWave", "noise", "Unknown .*noise.*standingWave",
+    ),
+    "initialVelocity": (
+        AEROSOL, "seed", "initialVelocity fast; seed",
+        "'initialVelocity' .* 'fast', .* gas or rest",
+    ),
+
+    # Places
+    "boxOutside": (AEROSOL, r"0\.0613 0 0", "0 0 0", "leaves the mesh"),
+    "boxForWakes": (AEROSOL, "range +20", "range 60", "range of the wakes"),
+    "boxForParticles": (
+        AEROSOL, "max +10e-6", "max 1e-3", "largest particles, .* do not fit",
+    ),
+    "overlap": (
+        AEROSOL, SOURCE,
+        listed(("(0.0613 0 0)", "2e-6"), ("(0.0613 1e-6 0)", "2e-6")),
+        "overlap: number 1 .* number 2",
+    ),
+    "overlapAcrossFaces": (
+        AEROSOL, SOURCE,
+        listed(
+            ("(0.0613  0.2499e-3 0)", "2e-6"), ("(0.0613 -0.2499e-3 0)", "2e-6")
+        ),
+        "overlap: .* image",
+    ),
+    "listOutside": (
+        AEROSOL, SOURCE, listed(("(0 0 0)", "2e-6")),
+        "number 1 .* outside of the domain",
+    ),
+    "emptyList": (
+        AEROSOL, SOURCE, listed(), "list 'particles' .* is empty",
+    ),
+    "listWithoutPlace": (
+        AEROSOL, SOURCE, "source list; particles ({ diameter 1e-6; });",
+        "Entry 'position' not found",
+    ),
+    "noListFile": (
+        AEROSOL, SOURCE, 'source list; file "none.csv";',
+        "Cannot read .*none.csv.* 'file'",
+    ),
+    "noHistogramFile": (
+        AEROSOL, "type +lognormal", 'type histogram; file "none.csv"',
+        "Cannot read .*none.csv.* 'file'",
+    ),
+    "histogramNeither": (
+        AEROSOL, "type +lognormal", "type histogram",
+        "either 'bins' or 'file', .* neither",
+    ),
+    "histogramOverlaps": (
+        AEROSOL, "type +lognormal",
+        "type histogram; bins ((1e-6 3e-6 1) (2e-6 4e-6 1))",
+        "number 2 of 'bins', .* not overlap",
+    ),
+
+    # Reports and files
+    "interval": (
+        AEROSOL, "domain", "report { interval 0; }\ndomain",
+        "'interval' .* is 0, .* positive",
+    ),
+    "sizeBins": (
+        AEROSOL, "domain",
+        "report { sizeBins { min 1e-5; max 1e-6; } }\ndomain",
+        "sizeBins .* max must be above min",
+    ),
+    "asciiDigits": (
+        CONTROL, r"binary;\s*writePrecision +16", "ascii; writePrecision 6",
+        "writePrecision 6 .*writePrecision +16",
+    ),
+}
+
+DICTIONARIES = [
+    "domain", "particles", "timeStepping", "drag", "gravity", "wake",
+    "contact", "aggregate", "sound",
+]
+
+
+def check_refusal(log, file, message, kind="IO ERROR"):
+    """One error, that says where and what; no run, and no stack trace."""
+    assert log.count("FOAM FATAL") == 1, log[-3000:]
+    assert not re.search(r"sigFpe|sigSegv|[Ss]egmentation|^#\d", log, re.M), log
+    assert "Starting time loop" not in log
+
+    error = " ".join(log[log.index("FOAM FATAL"):].split())
+    assert error.startswith(f"FOAM FATAL {kind}"), error
+    assert re.search(message, error, re.I), error
+
+    if file:
+        where = re.search(rf"file: \S+/{file}\S* (at|from) line (\d+)", error)
+        assert where and int(where[2]) > 0, error
+
+
+@pytest.mark.parametrize("row", BAD.values(), ids=BAD.keys())
+def test_is_refused(box, row):
+    file, pattern, text, message = row
+    box.replace(file, pattern, text)
+    check_refusal(box.run("acousticDEMFoam", status=1), file, message)
+
+
+@pytest.mark.parametrize("name", DICTIONARIES)
+def test_needs_the_dictionary(box, name):
+    file = ACOUSTIC if name == "sound" else AEROSOL
+    box.replace(file, rf"(?ms)^{name}\n\{{.*?^\}}", "")
+    log = box.run("acousticDEMFoam", status=1)
+
+    # That of a file as a whole has no lines
+    check_refusal(log, None, f"'{name}' not found")
+    assert f"file: {box.path/file}" in log
+
+
+def test_the_base_case_runs(box):
+    assert "End" in box.run("acousticDEMFoam")
+
+
+def test_needs_acousticProperties(box):
+    (box.path/ACOUSTIC).unlink()
+    log = box.run("acousticDEMFoam", status=1)
+    check_refusal(log, None, "cannot find .*acousticProperties", kind="ERROR")
+
+
+def test_cells_of_a_table(box):
+    """In a table of numbers the error is in the table's own line."""
+    box.write("sizes.csv", "lower,upper,count\n1e-6,2e-6,1\n2e-6,nan,1\n")
+    box.replace(
+        AEROSOL, "type +lognormal", 'type histogram; file "sizes.csv"'
+    )
+    log = box.run("acousticDEMFoam", status=1)
+    check_refusal(log, "sizes.csv", "'nan' is not a finite number")
+    assert "at line 3" in log
+
+
+@pytest.mark.parametrize(
+    "lost, message",
+    [
+        ("uniform/aerosolState", "without the file .*aerosolState"),
+        ("lagrangian/aerosol/d", "800 particles, .* 'd' .* 0 values"),
+    ],
+)
+def test_a_lost_file_of_a_restart(box, lost, message):
+    box.control("writeInterval", "1000")
+    box.run("acousticDEMFoam")
+    (box.path/"0"/lost).unlink()
+    log = box.run("acousticDEMFoam", status=1)
+    log = log[log.rindex("Create time"):]
+    check_refusal(log, None, message, kind="")
