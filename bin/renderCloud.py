@@ -8,9 +8,12 @@ import sys
 
 from paraview import servermanager
 from paraview.simple import (
-    ColorBy, CreateLayout, CreateView, Glyph, AssignViewToLayout, GetColorTransferFunction,
-    GetScalarBar, OpenFOAMReader, Outline, SaveScreenshot, Show, Text, Render,
+    AssignViewToLayout, ColorBy, CreateLayout, CreateView,
+    GetColorTransferFunction, GetScalarBar, Glyph, OpenFOAMReader, Outline,
+    Render, SaveScreenshot, Show, Text,
 )
+
+ENLARGED = 4.0  # spheres are drawn larger than they are, to be seen at all
 
 case = sys.argv[1]
 marker = os.path.join(case, "case.foam")
@@ -18,12 +21,31 @@ created = not os.path.exists(marker)
 open(marker, "a").close()
 
 
-def draw(time, layout, place):
-    """The cloud at a time in one cell of the layout."""
+def open_case():
+    """A reader of the cloud that also reads the time zero."""
     reader = OpenFOAMReader(FileName=marker)
+    reader.SkipZeroTime = 0
+    reader.Refresh()
     reader.MeshRegions = ["lagrangian/aerosol"]
     reader.CellArrays = []
     reader.LagrangianArrays = ["d"]
+    reader.UpdatePipelineInformation()
+    return reader
+
+
+def count(data):
+    """Number of points of a data set, or of all blocks of one."""
+    if data is None:
+        return 0
+    if data.IsA("vtkCompositeDataSet"):
+        return sum(count(data.GetBlock(b))
+                   for b in range(data.GetNumberOfBlocks()))
+    return data.GetNumberOfPoints()
+
+
+def draw(time, layout, place):
+    """The cloud at a time in one cell of the layout."""
+    reader = open_case()
     reader.UpdatePipeline(time)
 
     view = CreateView("RenderView")
@@ -33,10 +55,9 @@ def draw(time, layout, place):
     view.UseColorPaletteForBackground = 0
     view.OrientationAxesVisibility = 0
 
-    # Micrometres, four times enlarged: the true size would not be seen
     glyph = Glyph(Input=reader, GlyphType="Sphere")
     glyph.ScaleArray = ["POINTS", "d"]
-    glyph.ScaleFactor = 4.0
+    glyph.ScaleFactor = ENLARGED
     glyph.GlyphMode = "All Points"
     glyph.GlyphType.Radius = 0.5
 
@@ -49,13 +70,7 @@ def draw(time, layout, place):
     frame = Show(Outline(Input=reader), view)
     frame.AmbientColor = frame.DiffuseColor = [0.5, 0.5, 0.5]
 
-    points = servermanager.Fetch(reader)
-    number = sum(
-        points.GetBlock(b).GetNumberOfPoints()
-        for b in range(points.GetNumberOfBlocks())
-        if points.GetBlock(b)
-    ) if points.IsA("vtkMultiBlockDataSet") else points.GetNumberOfPoints()
-
+    number = count(servermanager.Fetch(reader))
     label = Show(Text(Text=f"{1e3*time:.3g} ms: {number} particles"), view)
     label.Color = [0, 0, 0]
     label.FontSize = 16
@@ -65,12 +80,12 @@ def draw(time, layout, place):
     camera = view.GetActiveCamera()
     camera.Azimuth(25)
     camera.Elevation(20)
-    camera.Zoom(1.25)
+    camera.Zoom(0.9)
 
     return view, colours
 
 
-times = OpenFOAMReader(FileName=marker).TimestepValues
+times = open_case().TimestepValues
 if not times:
     sys.exit("no times with a cloud")
 
@@ -80,14 +95,18 @@ draw(times[0], layout, 1)
 last, colours = draw(times[-1], layout, 2)
 
 bar = GetScalarBar(colours, last)
-bar.Title = "diameter [m]"
+bar.Title = "diameter [m]\n(drawn %g times larger)" % ENLARGED
 bar.ComponentTitle = ""
 bar.TitleColor = bar.LabelColor = [0, 0, 0]
 bar.Visibility = 1
+bar.WindowLocation = "Any Location"
+bar.Position = [0.84, 0.3]
+bar.ScalarBarLength = 0.4
 
-layout.SetSize(1600, 800)
 Render(last)
-SaveScreenshot(os.path.join(case, "cloud.png"), layout)
+SaveScreenshot(
+    os.path.join(case, "cloud.png"), layout, ImageResolution=[1600, 800]
+)
 
 if created:
     os.remove(marker)

@@ -2,6 +2,8 @@
 #include "checkedEntry.H"
 #include "Time.H"
 
+#include <sstream>
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
@@ -58,17 +60,24 @@ void Foam::progressReport::print(const std::string& model)
     const scalar stepsLeft =
         (time_.endTime().value() - time_.value())/time_.deltaTValue();
 
+    std::ostringstream speed;
+    speed.precision(3);
+    speed
+        << rate << " steps/s, "
+        << duration(max(stepsLeft, scalar(0))/max(rate, SMALL))
+        << " to the end";
+
     Info<< "Time = " << time_.timeName() << nl;
 
-    if (!model.empty())
+    for (const std::string& line : {model, speed.str()})
     {
-        Info<< "    " << model.c_str() << nl;
+        if (!line.empty())
+        {
+            Info<< "    " << line.c_str() << nl;
+        }
     }
 
-    Info<< "    " << rate << " steps/s, "
-        << duration(max(stepsLeft, scalar(0))/max(rate, SMALL)).c_str()
-        << " to the end" << nl
-        << "ExecutionTime = " << time_.elapsedCpuTime() << " s"
+    Info<< "ExecutionTime = " << time_.elapsedCpuTime() << " s"
         << "  ClockTime = " << clock << " s" << nl << endl;
 
     lastClock_ = clock;

@@ -119,15 +119,16 @@ void Foam::acoustics::compressibleSound::correctPressure
     const surfaceScalarField rhorAUf("rhorAUf", fvc::interpolate(rho_*rAU));
     const volVectorField HbyA(constrainHbyA(rAU*UEqn.H(), U_, p_));
 
-    const surfaceScalarField phid
+    // Volume flux without the pressure gradient
+    const surfaceScalarField rhof(fvc::interpolate(rho_));
+    const surfaceScalarField phivHbyA
     (
-        "phid",
-        fvc::interpolate(psi_)
-       *(
-            fvc::flux(HbyA)
-          + rhorAUf*fvc::ddtCorr(rho_, U_, phi_)/fvc::interpolate(rho_)
-        )
+        fvc::flux(HbyA) + rhorAUf*fvc::ddtCorr(rho_, U_, phi_)/rhof
     );
+    const surfaceScalarField phid("phid", fvc::interpolate(psi_)*phivHbyA);
+
+    // Next to an oscillating wall the pressure has a gradient
+    constrainPressure(p_, rho_, U_, rhof*phivHbyA, rhorAUf);
 
     while (pimple_.correctNonOrthogonal())
     {
