@@ -1,0 +1,156 @@
+"""Particles in a standing wave against the analytic solution.
+
+A Stokes particle of relaxation time tau, at rest at t = 0 in gas that moves as
+u0 sin(omega t), moves as
+
+    v = eta u0 (sin(omega t - phi) + sin(phi) exp(-t/tau)),
+
+    eta = 1/sqrt(1 + s^2),   phi = atan(s),   s = omega tau.
+
+Reads the particles of all times, fits the amplitude and the phase of each, and
+prints them beside theory. Writes isolatedParticle.png.
+"""
+
+import re
+from pathlib import Path
+
+import matplotlib
+import numpy as np
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+
+FREQUENCY = 1400.0  # Hz
+LEVEL = 147.0  # dB
+DENSITY, VISCOSITY, SOUND_SPEED, FREE_PATH = 1.204, 1.81e-5, 343.2, 66e-9
+PARTICLE_DENSITY = 2300.0  # kg/m3
+
+CASE = Path(__file__).resolve().parent
+OMEGA = 2*np.pi*FREQUENCY
+U0 = np.sqrt(2)*20e-6*10**(LEVEL/20)/(DENSITY*SOUND_SPEED)
+
+
+def relaxation_time(d):
+    """Stokes drag with the slip correction of Cunningham."""
+    Kn = 2*FREE_PATH/d
+    slip = 1 + Kn*(1.257 + 0.4*np.exp(-1.1/Kn))
+    return PARTICLE_DENSITY*d**2*slip/(18*VISCOSITY)
+
+
+def entrainment(d):
+    return 1/np.sqrt(1 + (OMEGA*relaxation_time(d))**2)
+
+
+def phase(d):
+    return np.arctan(OMEGA*relaxation_time(d))
+
+
+def velocity(d, t):
+    """Of the particle, in amplitudes of the gas."""
+    phi = phase(d)
+    return entrainment(d)*(
+        np.sin(OMEGA*t - phi) + np.sin(phi)*np.exp(-t/relaxation_time(d))
+    )
+
+
+def values(file):
+    """The numbers of a list in an ascii file of OpenFOAM."""
+    body = re.search(r"^\d+\s*\((.*)\)\s*$", file.read_text(), re.M | re.S)
+    return np.array(re.sub("[()]", " ", body[1]).split(), float)
+
+
+def read(case):
+    """Times, diameters, and velocities along the tube: a row for each time."""
+    times = sorted(
+        (f.parents[2] for f in case.glob("[0-9]*/lagrangian/aerosol/d")),
+        key=lambda folder: float(folder.name),
+    )[1:]  # not the beginning, at rest
+    clouds = [folder/"lagrangian"/"aerosol" for folder in times]
+
+    return (
+        np.array([float(folder.name) for folder in times]),
+        values(clouds[0]/"d"),
+        np.array([values(cloud/"U")[::3] for cloud in clouds]),
+    )
+
+
+def fit(t, v, d, omega=OMEGA):
+    """Amplitude and lag behind the sine, fitted beside the transient."""
+    columns = [
+        np.sin(omega*t), np.cos(omega*t), np.exp(-t/relaxation_time(d)),
+    ]
+    a, b, _ = np.linalg.lstsq(np.array(columns).T, v, rcond=None)[0]
+    return np.hypot(a, b), np.arctan2(-b, a)
+
+
+def plot(t, diameters, v, fits):
+    plt.rcParams.update({"font.size": 9, "axes.grid": True, "grid.alpha": 0.3})
+    figure = plt.figure(figsize=(10, 5.2), constrained_layout=True)
+    grid = figure.add_gridspec(2, 2, width_ratios=[2, 1])
+    motion = figure.add_subplot(grid[:, 0])
+    amplitude = figure.add_subplot(grid[0, 1])
+    lag = figure.add_subplot(grid[1, 1], sharex=amplitude)
+    colours = plt.cm.viridis(np.linspace(0, 0.9, len(diameters)))
+
+    fine = np.linspace(0, t[-1], 1000)
+    motion.plot(
+        FREQUENCY*fine, np.sin(OMEGA*fine), color="0.6", lw=1, ls="--",
+        label="gas",
+    )
+    for i, (d, colour) in enumerate(zip(diameters, colours)):
+        motion.plot(FREQUENCY*fine, velocity(d, fine), color=colour, lw=1)
+        motion.plot(
+            FREQUENCY*t, v[:, i], "o", ms=3, color=colour,
+            label=f"{1e6*d:g} µm",
+        )
+    motion.set(
+        xlabel="time / periods", ylabel="velocity / velocity amplitude of gas",
+        xlim=(0, FREQUENCY*t[-1]), ylim=(-1.08, 1.08),
+    )
+    motion.legend(
+        loc="upper center", bbox_to_anchor=(0.5, 1.1), frameon=False,
+        ncol=len(diameters) + 1, columnspacing=1.2, handletextpad=0.3,
+    )
+
+    sizes = np.geomspace(0.5e-6, 30e-6, 300)
+    amplitude.semilogx(1e6*sizes, entrainment(sizes), color="0.6")
+    lag.semilogx(1e6*sizes, np.degrees(phase(sizes)), color="0.6")
+    for d, colour, (eta, phi) in zip(diameters, colours, fits):
+        amplitude.plot(1e6*d, eta, "o", color=colour)
+        lag.plot(1e6*d, np.degrees(phi), "o", color=colour)
+    amplitude.set_ylabel("entrainment")
+    lag.set(
+        xlabel="diameter / µm", ylabel="lag behind the gas / degrees",
+        yticks=[0, 30, 60, 90], xticks=[1, 2, 5, 10, 20],
+        xticklabels=["1", "2", "5", "10", "20"],
+    )
+    lag.minorticks_off()
+    amplitude.tick_params(labelbottom=False)
+
+    figure.suptitle(
+        f"Particles in a standing wave of {FREQUENCY:g} Hz and {LEVEL:g} dB, "
+        "from rest\nlines: analytic solution, symbols: acousticDEMFoam",
+        fontsize=10,
+    )
+    figure.savefig(CASE/"isolatedParticle.png", dpi=150)
+
+
+def main():
+    t, diameters, v = read(CASE)
+    v = v/U0
+    fits = [fit(t, v[:, i], d) for i, d in enumerate(diameters)]
+
+    print("diameter  entrainment             lag [degrees]")
+    print("[um]      computed   theory       computed   theory")
+    for d, (eta, phi) in zip(diameters, fits):
+        print(
+            f"{1e6*d:<8.3g}  {eta:<11.6f}{entrainment(d):<13.6f}"
+            f"{np.degrees(phi):<11.4f}{np.degrees(phase(d)):.4f}"
+        )
+
+    plot(t, diameters, v, fits)
+    print(f"Wrote {CASE/'isolatedParticle.png'}")
+
+
+if __name__ == "__main__":
+    main()
