@@ -1,0 +1,126 @@
+"""A run that is interrupted, or killed, goes on as if nothing had happened."""
+
+import signal
+import subprocess
+import time
+
+import numpy as np
+import pytest
+from aerosolcase import AerosolCase
+
+# A power of two, of which all multiples are exact in the name of a time: else
+# OpenFOAM starts again from a time that is rounded to timePrecision
+STEP = 2**-17  # s
+
+
+def prepare(directory, meshed, writeFormat="binary"):
+    """Forty steps, written every ten, with many contacts."""
+    case = AerosolCase(directory, meshed)
+    case.aerosol("numberConcentration", "30e12")
+    case.control("writeFormat", writeFormat)
+    case.control("writeInterval", "10")
+    case.control("deltaT", repr(STEP))
+    case.control("timePrecision", "16")
+    case.control("endTime", repr(40*STEP))
+
+    # Rows in between too
+    case.replace(
+        "constant/aerosolProperties", "domain",
+        f"report {{ interval {4*STEP!r}; }}\n\ndomain",
+    )
+    return case
+
+
+def same_clouds(one, other):
+    assert one.times() == other.times()
+    for name in one.times():
+        a, b = one.cloud(name), other.cloud(name)
+        for field, values in a.items():
+            assert np.array_equal(values, b[field]), (name, field)
+
+
+def same_tables(one, other, start):
+    """Equal tables; a restart repeats the row of the time it starts from."""
+    for name in ("agglomeration", "sizeDistribution"):
+        a, b = one.table(name), other.table(name)
+        assert list(a) == list(b)
+        keep = np.ones(len(b["time"]), bool)
+        again = np.flatnonzero(np.isclose(b["time"], start, rtol=1e-9))
+        assert len(again) == 2
+        for column, values in b.items():
+            assert values[again[0]] == values[again[1]], column
+        keep[again[1]] = False
+
+        # Sizes are written at the first and the last time of a run, too
+        for column, values in a.items():
+            assert np.array_equal(values, b[column][keep]), (name, column)
+
+
+@pytest.mark.parametrize("writeFormat", ["binary", "ascii"])
+def test_continues(tmp_path, meshed, writeFormat):
+    whole = prepare(tmp_path/"whole", meshed, writeFormat)
+    whole.run("acousticDEMFoam")
+
+    parts = prepare(tmp_path/"parts", meshed, writeFormat)
+    parts.control("endTime", repr(20*STEP))
+    parts.run("acousticDEMFoam")
+    start = float(parts.times()[-1])
+    parts.control("endTime", repr(40*STEP))
+    log = parts.run("acousticDEMFoam")
+
+    contacts = whole.table()["contacts"]
+    half = np.argmin(np.abs(whole.table()["time"] - start))
+    print(f"contacts {contacts[half]:.0f} and {contacts[-1]:.0f}")
+    assert 0 < contacts[half] < contacts[-1]
+
+    assert "Continuing with the" in log
+    folders = [p.name for p in (parts.path/"postProcessing/aerosol").iterdir()]
+    assert sorted(folders) == ["0", parts.times()[len(parts.times())//2]]
+
+    same_clouds(whole, parts)
+    same_tables(whole, parts, start)
+
+
+def test_survives_a_kill(tmp_path, meshed):
+    """kill -9 in the middle; what was written is complete, and goes on."""
+    case = prepare(tmp_path/"case", meshed)
+    case.control("endTime", repr(4000*STEP))
+    case.control("writeInterval", "5")
+
+    with (case.path/"log").open("w") as log:
+        run = subprocess.Popen(["acousticDEMFoam"], cwd=case.path, stdout=log)
+        deadline = time.monotonic() + 60
+        while len(case.times()) < 4 and time.monotonic() < deadline:
+            time.sleep(0.005)
+        run.send_signal(signal.SIGKILL)
+        assert run.wait() == -signal.SIGKILL
+    assert len(case.times()) >= 4
+    assert "End" not in (case.path/"log").read_text()
+
+    # The last time may have been cut off while it was written: without its
+    # state, which comes last, the one before is taken
+    last = case.path/case.times()[-1]
+    written = case.times()[:-1]
+    if not (last/"uniform"/"aerosolState").exists():
+        for file in sorted(last.rglob("*"), reverse=True):
+            file.unlink() if file.is_file() else file.rmdir()
+        last.rmdir()
+
+    for name in written:
+        cloud = case.cloud(name)
+        assert cloud["primaries"].sum() == 3750
+
+    # The same as in a run that was left in peace
+    end = float(case.times()[-1]) + 10*STEP
+    case.control("endTime", repr(end))
+    case.run("acousticDEMFoam")
+
+    whole = prepare(tmp_path/"whole", meshed)
+    whole.control("endTime", repr(end))
+    whole.control("writeInterval", "5")
+    whole.run("acousticDEMFoam")
+    same_clouds(whole, case)
+
+    table = case.table()
+    assert table["time"][-1] == pytest.approx(end)
+    assert np.ptp(table["mass"]) < 1e-13*table["mass"][0]
