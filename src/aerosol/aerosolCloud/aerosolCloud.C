@@ -1,3 +1,8 @@
+/*---------------------------------------------------------------------------*\
+    acousticDEM: acoustic agglomeration of aerosols
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
 #include "aerosolCloud.H"
 #include "checkedEntry.H"
 #include "fvMesh.H"
@@ -247,7 +252,9 @@ bool Foam::aerosol::aerosolCloud::lastStep() const
 {
     const Time& runTime = mesh_.time();
 
-    return runTime.value() > runTime.endTime().value()-0.5*runTime.deltaTValue();
+    return
+        runTime.value()
+      > runTime.endTime().value() - 0.5*runTime.deltaTValue();
 }
 
 

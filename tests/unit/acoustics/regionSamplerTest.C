@@ -1,3 +1,8 @@
+/*---------------------------------------------------------------------------*\
+    acousticDEM: acoustic agglomeration of aerosols
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
 // The gas velocity between the cells' centres: how close it comes to a known
 // field, and where it must be exact.
 

@@ -1,3 +1,8 @@
+/*---------------------------------------------------------------------------*\
+    acousticDEM: acoustic agglomeration of aerosols
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
 // What the tables of a run are made of: the statistics of an aerosol, against
 // numbers worked out by hand and a lognormal sample, and the tables themselves
 

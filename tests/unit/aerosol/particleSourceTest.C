@@ -1,3 +1,8 @@
+/*---------------------------------------------------------------------------*\
+    acousticDEM: acoustic agglomeration of aerosols
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
 // Clouds at random and from lists: what is in them, that no two spheres overlap
 // (by brute force), and that bad input is refused with its reason.
 

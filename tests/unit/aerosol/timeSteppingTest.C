@@ -1,3 +1,8 @@
+/*---------------------------------------------------------------------------*\
+    acousticDEM: acoustic agglomeration of aerosols
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
 #include "addToRunTimeSelectionTable.H"
 #include "error.H"
 #include "IStringStream.H"
@@ -1178,7 +1183,7 @@ TEST(multipleTimeStep, renewsTheWakesInEveryParticleStep)
 }
 
 
-TEST(multipleTimeStep, DISABLED_leavesNoWakeOfWhatWasAbsorbed)
+TEST(multipleTimeStep, leavesNoWakeOfWhatWasAbsorbed)
 {
     // Two that merge within a step are one alone from then on
     const double frequency = 500;

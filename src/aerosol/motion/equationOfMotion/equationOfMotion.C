@@ -1,3 +1,8 @@
+/*---------------------------------------------------------------------------*\
+    acousticDEM: acoustic agglomeration of aerosols
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
 #include "equationOfMotion.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -266,9 +271,9 @@ void Foam::aerosol::equationOfMotion::moveOn
     const scalar done,
     const scalar h,
     const particleArrays& particles,
+    const std::vector<particlePair>& wakePairs,
     const vectors& u0,
     const vectors& u1,
-    const vectors& w0,
     state& end
 )
 {
@@ -285,7 +290,19 @@ void Foam::aerosol::equationOfMotion::moveOn
     acceleration_.col(i) = gravity_->acceleration(one, gas_);
     range_.segment<1>(i) = wake_->range(one.d);
 
-    const vectors uEnd = u1.col(i) + w0.col(i);
+    std::vector<particlePair> acting;
+    for (const particlePair& pair : wakePairs)
+    {
+        if (pair.i == i)
+        {
+            acting.push_back(pair);
+        }
+    }
+
+    vectors w;
+    wakes(particles, acting, particles.x, particles.v, u0, w);
+
+    const vectors uEnd = u1.col(i) + w.col(i);
     const vectors uNow =
         uEnd - (1 - done)*(u1.col(i) - u0.col(i));
 
@@ -309,6 +326,9 @@ void Foam::aerosol::equationOfMotion::moveOn
 
     end.x.col(i) = rest.x;
     end.v.col(i) = rest.v;
+
+    wakes(particles, acting, end.x, end.v, u1, w);
+    end.w.col(i) = w.col(i);
 }
 
 

@@ -1,3 +1,8 @@
+/*---------------------------------------------------------------------------*\
+    acousticDEM: acoustic agglomeration of aerosols
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
 #include "timeStepping.H"
 #include "selectModel.H"
 
@@ -216,7 +221,7 @@ void Foam::aerosol::timeStepping::nestedSteps
 
         with_.motion.step(hp, p, wakePairs_, u0, u1, w0, end);
 
-        collide(p, end, u0, u1, w0, t + s*hp, hp, nCollision);
+        collide(p, end, u0, u1, t + s*hp, hp, nCollision);
 
         p.x.swap(end.x);
         p.v.swap(end.v);
@@ -264,8 +269,10 @@ void Foam::aerosol::timeStepping::search
 
     if (with_.contacts.active())
     {
-        // As much again for the wakes, which are no faster than a slip
-        grid_.build(p.x, 0.5*p.d + 2*way);
+        // More for the wakes, which are no faster than the slip of their source
+        const scalar drawn = with_.motion.hasWakes() ? way.maxCoeff() : 0;
+
+        grid_.build(p.x, 0.5*p.d + way + drawn);
         grid_.touching(contactPairs_);
     }
 }
@@ -277,7 +284,6 @@ void Foam::aerosol::timeStepping::collide
     equationOfMotion::state& end,
     const vectors& u0,
     const vectors& u1,
-    const vectors& w0,
     const scalar t,
     const scalar h,
     const int nCollision
@@ -441,20 +447,6 @@ void Foam::aerosol::timeStepping::collide
         begin[survivor] = when;
         ++age[survivor];
 
-        with_.motion.moveOn
-        (
-            survivor,
-            when/h,
-            h,
-            p,
-            u0,
-            u1,
-            w0,
-            end
-        );
-
-        const int gone = survivor == i ? j : i;
-
         std::array<std::int8_t, 3> image = found.image;
 
         if (survivor == j)
@@ -465,7 +457,9 @@ void Foam::aerosol::timeStepping::collide
             }
         }
 
-        redirect(survivor, gone, image);
+        redirect(survivor, survivor == i ? j : i, image);
+
+        with_.motion.moveOn(survivor, when/h, h, p, wakePairs_, u0, u1, end);
 
         for (const particlePair& pair : contactPairs_)
         {

@@ -1,3 +1,8 @@
+/*---------------------------------------------------------------------------*\
+    acousticDEM: acoustic agglomeration of aerosols
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
 #include "OseenWake.H"
 #include "addToRunTimeSelectionTable.H"
 #include "checkedEntry.H"
@@ -64,7 +69,11 @@ void Foam::aerosol::OseenWake::evaluate
     // (1 - E)/chi, by its series where the difference would cancel
     const blockScalars large = chi.max(1e-3);
     const blockScalars sink =
-        (chi < 1e-3).select(1 - chi*(0.5 - chi/6), (1 - E)/large);
+        (chi < 1e-3).select
+        (
+            1 - chi*(0.5 - chi*(1.0/6 - chi/24)),
+            (1 - E)/large
+        );
 
     const blockScalars radial =
         2*dipole*along
