@@ -73,16 +73,22 @@ def draw(time, layout, place):
     number = count(servermanager.Fetch(reader))
     label = Show(Text(Text=f"{1e3*time:.3g} ms: {number} particles"), view)
     label.Color = [0, 0, 0]
-    label.FontSize = 16
+    label.FontSize = 12
     label.WindowLocation = "Upper Center"
 
-    view.ResetCamera()
-    camera = view.GetActiveCamera()
-    camera.Azimuth(25)
-    camera.Elevation(20)
-    camera.Zoom(0.9)
+    return view, colours, reader.GetDataInformation().GetBounds()
 
-    return view, colours
+
+def look(view, bounds):
+    """See all of a box, from a corner."""
+    centre = [0.5*(bounds[2*k] + bounds[2*k + 1]) for k in range(3)]
+    size = max(bounds[2*k + 1] - bounds[2*k] for k in range(3))
+    view.CameraFocalPoint = [centre[0], centre[1], centre[2] - 0.1*size]
+    view.CameraPosition = [
+        centre[k] + 3.6*size*d for k, d in enumerate((0.42, -0.85, 0.32))
+    ]
+    view.CameraViewUp = [0, 0, 1]
+    view.CameraViewAngle = 30
 
 
 times = open_case().TimestepValues
@@ -91,17 +97,24 @@ if not times:
 
 layout = CreateLayout("particles")
 layout.SplitHorizontal(0, 0.5)
-draw(times[0], layout, 1)
-last, colours = draw(times[-1], layout, 2)
+first, _, bounds = draw(times[0], layout, 1)
+last, colours, _ = draw(times[-1], layout, 2)
+
+Render(first)
+Render(last)
+look(first, bounds)
+look(last, bounds)
 
 bar = GetScalarBar(colours, last)
-bar.Title = "diameter [m]\n(drawn %g times larger)" % ENLARGED
+bar.Title = "diameter [m], drawn %g times larger" % ENLARGED
 bar.ComponentTitle = ""
 bar.TitleColor = bar.LabelColor = [0, 0, 0]
+bar.TitleFontSize = bar.LabelFontSize = 9
 bar.Visibility = 1
+bar.Orientation = "Horizontal"
 bar.WindowLocation = "Any Location"
-bar.Position = [0.84, 0.3]
-bar.ScalarBarLength = 0.4
+bar.Position = [0.25, 0.02]
+bar.ScalarBarLength = 0.5
 
 Render(last)
 SaveScreenshot(
