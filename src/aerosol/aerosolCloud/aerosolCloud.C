@@ -151,6 +151,8 @@ void Foam::aerosol::aerosolCloud::start()
         return;
     }
 
+    requireNoneBefore();
+
     const autoPtr<particleSource> source =
         particleSource::New(dict_.subDict("particles"));
 
@@ -173,6 +175,29 @@ void Foam::aerosol::aerosolCloud::start()
 
     // ParaView finds a cloud only if it is there from the first time on
     files_.write(particles_, state());
+}
+
+
+void Foam::aerosol::aerosolCloud::requireNoneBefore() const
+{
+    const Time& runTime = mesh_.time();
+
+    for (const instant& time : runTime.times())
+    {
+        if
+        (
+            time.value() < runTime.value() - 0.5*runTime.deltaTValue()
+         && isFile(runTime.path()/time.name()/"uniform"/"aerosolState")
+        )
+        {
+            FatalErrorInFunction
+                << "Time " << runTime.timeName() << " has no particles, but"
+                << " time " << time.name() << " has. The run was interrupted"
+                << " while it wrote; remove " << runTime.timePath()
+                << " to continue from an earlier time"
+                << exit(FatalError);
+        }
+    }
 }
 
 

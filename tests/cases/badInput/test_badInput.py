@@ -5,6 +5,7 @@ replaced there (a regular expression) by what, and what the solver must say.
 """
 
 import re
+import shutil
 
 import pytest
 
@@ -317,3 +318,15 @@ def test_a_lost_file_of_a_restart(box, lost, message):
     log = box.run("acousticDEMFoam", status=1)
     log = log[log.rindex("Create time"):]
     check_refusal(log, None, message, kind="")
+
+
+def test_a_lost_cloud_of_a_restart(box):
+    """Not a new aerosol where the old one has not been written completely."""
+    box.run("acousticDEMFoam")
+    last = box.path/box.times()[-1]
+    shutil.rmtree(last/"lagrangian")
+    (last/"uniform/aerosolState").unlink()
+
+    log = box.run("acousticDEMFoam", status=1)
+    log = log[log.rindex("Create time"):]
+    check_refusal(log, None, f"no particles, .* remove .*{last.name}", "ERROR")
