@@ -44,22 +44,22 @@ void refuseText
         << exit(Foam::FatalIOError);
 }
 
-} // End anonymous namespace
 
-
-// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
-
-Foam::scalar Foam::readFinite
+//- The entry, read past its dimensions if it has any: these must be right and
+//  may bring a multiplier. Not by dimensionedScalar: of a word it says "attempt
+//  to read beyond EOF", and of wrong dimensions it aborts with a stack trace.
+Foam::ITstream& readDimensions
 (
-    const dictionary& dict,
-    const word& key,
-    const dimensionSet& dimensions
+    const Foam::dictionary& dict,
+    const Foam::word& key,
+    const Foam::dimensionSet& dimensions,
+    Foam::scalar& multiplier
 )
 {
-    // Not by dimensionedScalar: of a word it says "attempt to read beyond EOF",
-    // and of wrong dimensions it aborts with a stack trace
+    using namespace Foam;
+
     ITstream& is = dict.lookup(key);
-    scalar multiplier = 1;
+    multiplier = 1;
 
     if
     (
@@ -80,6 +80,24 @@ Foam::scalar Foam::readFinite
                 << exit(FatalIOError);
         }
     }
+
+    return is;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::readFinite
+(
+    const dictionary& dict,
+    const word& key,
+    const dimensionSet& dimensions
+)
+{
+    scalar multiplier;
+    ITstream& is = readDimensions(dict, key, dimensions, multiplier);
 
     if (is.nRemainingTokens() != 1)
     {
@@ -158,6 +176,29 @@ Foam::scalar Foam::readNonNegative
     }
 
     return value;
+}
+
+
+Foam::vector Foam::readVector
+(
+    const dictionary& dict,
+    const word& key,
+    const dimensionSet& dimensions,
+    const vector& defaultValue
+)
+{
+    if (!dict.found(key))
+    {
+        return defaultValue;
+    }
+
+    scalar multiplier;
+    ITstream& is = readDimensions(dict, key, dimensions, multiplier);
+
+    vector value;
+    is >> value;
+
+    return multiplier*value;
 }
 
 

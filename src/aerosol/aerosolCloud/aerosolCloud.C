@@ -89,7 +89,9 @@ Foam::aerosol::aerosolCloud::aerosolCloud
           ? 1/sound.frequency()
           : 100*mesh.time().deltaTValue()
         )
-    )
+    ),
+    nextRow_(0),
+    outgrown_(false)
 {
     cloudFiles::requireExact(mesh_.time());
 
@@ -103,10 +105,6 @@ Foam::aerosol::aerosolCloud::aerosolCloud
 
     tables_.reset(new agglomerationTables(mesh_, sizeBins_));
 
-    const scalar now = mesh_.time().value();
-
-    // Rows at whole intervals, also after a restart
-    nextRow_ = interval_*std::floor(now/interval_);
     Info<< summary().c_str() << nl << endl;
 
     tabulate();
@@ -273,6 +271,24 @@ void Foam::aerosol::aerosolCloud::checkSize() const
 }
 
 
+void Foam::aerosol::aerosolCloud::checkGrowth()
+{
+    const scalar range = motion_.wakeRange().maxCoeff();
+
+    if (!outgrown_ && 2*range > domain_->bounds().minDim())
+    {
+        WarningInFunction
+            << "At time " << mesh_.time().timeName() << " the largest aggregate"
+            << " has a diameter of " << particles_.d.maxCoeff()
+            << " m; twice the range of its wake, " << range
+            << " m, exceeds the shortest edge of the domain: its neighbours"
+            << " feel it together with its periodic images from now on" << endl;
+
+        outgrown_ = true;
+    }
+}
+
+
 bool Foam::aerosol::aerosolCloud::lastStep() const
 {
     const Time& runTime = mesh_.time();
@@ -333,6 +349,8 @@ void Foam::aerosol::aerosolCloud::evolve()
     const scalar h = mesh_.time().deltaTValue();
 
     timeStepping_->advance(particles_, mesh_.time().value() - h, h);
+
+    checkGrowth();
 
     tabulate();
 }

@@ -123,6 +123,10 @@ BAD = {
         ACOUSTIC, "1400", "[0 1 0 0 0 0 0] 1400",
         r"'frequency' .* \[0 1 0 0 0 0 0\], .* \[0 0 -1 0 0 0 0\]",
     ),
+    "vectorDimensions": (
+        ACOUSTIC, "SPL", "origin [0 0 0 0 0 0 0] (0 0 0); SPL",
+        r"'origin' .* \[0 0 0 0 0 0 0\], .* \[0 1 0 0 0 0 0\]",
+    ),
     "word": (ACOUSTIC, "1400", "high", "'frequency' .* is 'high', .* number"),
     "wordForCount": (AEROSOL, NUMBER, "count many;", "'count' .* is 'many', .* number"),
     "wordForCentre": (

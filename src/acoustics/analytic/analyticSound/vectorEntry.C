@@ -5,8 +5,7 @@
 
 #include "vectorEntry.H"
 
-#include "dictionary.H"
-#include "dimensionedVector.H"
+#include "checkedEntry.H"
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
@@ -19,13 +18,7 @@ Eigen::Vector3d Foam::acoustics::readVector
 {
     return toEigen
     (
-        dimensionedVector::lookupOrDefault
-        (
-            key,
-            dict,
-            dimensions,
-            vector(0, 0, 0)
-        ).value()
+        Foam::readVector(dict, key, dimensions, vector(0, 0, 0))
     );
 }
 
