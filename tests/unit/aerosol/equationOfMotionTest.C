@@ -234,7 +234,7 @@ void advance
     {
         const vectors u1 = gas((s + 1)*h).replicate(1, p.size());
 
-        motion.step(h, p, pairs, u0, u1, w, end);
+        motion.step(h, p, pairs, {u0, {}, u1}, w, {}, end);
 
         p.x = end.x;
         p.v = end.v;
@@ -297,7 +297,7 @@ TEST(equationOfMotion, isExactInGasThatChangesLinearlyInTime)
     u1.colwise() = vec(1.3, 0.7, 0);
 
     equationOfMotion::state end;
-    motion.step(h, p, {}, u0, u1, 0*u0, end);
+    motion.step(h, p, {}, {u0, {}, u1}, 0*u0, {}, end);
 
     for (int i = 0; i < p.size(); ++i)
     {
@@ -324,7 +324,7 @@ TEST(equationOfMotion, isExactInGasThatChangesLinearlyInTime)
     p.v.colwise() = v0;
     u0.colwise() = vec(1, 2, 3);
     u1.colwise() = vec(-1, 2.5, 0);
-    motion.step(h, p, {}, u0, u1, 0*u0, end);
+    motion.step(h, p, {}, {u0, {}, u1}, 0*u0, {}, end);
 
     for (int i = 0; i < p.size(); ++i)
     {
@@ -428,7 +428,7 @@ TEST(equationOfMotion, isEntrainedAsStokesSays)
                 const vectors u1 =
                     gasVelocity((step + 1)*h).replicate(1, p.size());
 
-                motion.step(h, p, {}, u0, u1, 0*u0, end);
+                motion.step(h, p, {}, {u0, {}, u1}, 0*u0, {}, end);
 
                 if (step == 19*n)
                 {
@@ -805,7 +805,7 @@ TEST(equationOfMotion, movesAMergedParticleOnExactly)
 
     const double h = 1e-5;
     equationOfMotion::state end;
-    motion.step(h, p, {}, u0, u1, vectors::Zero(3, 3), end);
+    motion.step(h, p, {}, {u0, {}, u1}, vectors::Zero(3, 3), {}, end);
 
     const equationOfMotion::state before = end;
 
@@ -815,7 +815,7 @@ TEST(equationOfMotion, movesAMergedParticleOnExactly)
     p.v.col(1) = vec(-1, 0, 1);
 
     const double done = 0.3;
-    motion.moveOn(1, done, h, p, {}, u0, u1, end);
+    motion.moveOn(1, done, h, p, {}, {u0, {}, u1}, {}, end);
 
     EXPECT_EQ(end.x.col(0), before.x.col(0));
     EXPECT_EQ(end.x.col(2), before.x.col(2));

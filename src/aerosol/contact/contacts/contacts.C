@@ -57,14 +57,22 @@ int Foam::aerosol::contacts::meet
 }
 
 
+std::vector<char> Foam::aerosol::contacts::takeAbsorbed(const int n)
+{
+    std::vector<char> marks;
+    marks.swap(absorbed_);
+    marks.resize(n, 0);
+    nAbsorbed_ = 0;
+
+    return marks;
+}
+
+
 void Foam::aerosol::contacts::sweep(particleArrays& p)
 {
     if (nAbsorbed_)
     {
-        absorbed_.resize(p.size(), 0);
-        p.remove(absorbed_);
-        absorbed_.clear();
-        nAbsorbed_ = 0;
+        p.remove(takeAbsorbed(p.size()));
     }
 }
 

@@ -46,8 +46,7 @@ void Foam::aerosol::equationOfMotion::glide
     const vectors& acceleration,
     const vectors& x,
     const vectors& v,
-    const vectors& u0,
-    const vectors& u1,
+    const gasStep& u,
     state& end
 )
 {
@@ -82,26 +81,54 @@ void Foam::aerosol::equationOfMotion::glide
         return factor.transpose();
     };
 
-    const auto slip = (u0 - v).array();
-    const auto change = (u1 - u0).array();
+    const auto slip = (u.u0 - v).array();
     const auto a = acceleration.array();
+
+    // Of u = u0 + linear s + square s^2, with the fraction s of the step
+    vectors linear = u.u1 - u.u0;
+    vectors square;
+
+    if (u.um.cols())
+    {
+        square = 2*(u.u0 + u.u1 - 2*u.um);
+        linear -= square;
+    }
 
     end.v =
         v.array()
       + slip.rowwise()*rows(z*A)
-      + change.rowwise()*rows(z*B)
+      + linear.array().rowwise()*rows(z*B)
       + a.rowwise()*rows(h*A);
 
     end.x =
         x.array()
       + h*v.array()
       + slip.rowwise()*rows(h*z*B)
-      + change.rowwise()*rows(h*z*C)
+      + linear.array().rowwise()*rows(h*z*C)
       + a.rowwise()*rows(h*h*B);
+
+    if (u.um.cols())
+    {
+        end.v.array() += square.array().rowwise()*rows(1 - 2*B);
+        end.x.array() += square.array().rowwise()*rows(h*(1.0/3 - 2*C));
+    }
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::aerosol::vectors
+Foam::aerosol::equationOfMotion::gasStep::at(const scalar s) const
+{
+    if (!um.cols())
+    {
+        return u0 + s*(u1 - u0);
+    }
+
+    return
+        (1 - s)*(1 - 2*s)*u0 + 4*s*(1 - s)*um + s*(2*s - 1)*u1;
+}
+
 
 void Foam::aerosol::equationOfMotion::refresh(const particleArrays& particles)
 {
@@ -219,15 +246,23 @@ void Foam::aerosol::equationOfMotion::step
     const scalar h,
     const particleArrays& particles,
     const std::vector<particlePair>& wakePairs,
-    const vectors& u0,
-    const vectors& u1,
+    const gasStep& gas,
     const vectors& w0,
+    const vectors& outside,
     state& end
 ) const
 {
-    const vectors start = u0 + w0;
+    // What moves the particles: the gas and the wakes, first those of the
+    // beginning
+    gasStep u;
+    u.u0 = gas.u0 + w0;
+    u.u1 = gas.u1 + w0;
+    if (gas.um.cols())
+    {
+        u.um = gas.um + w0;
+    }
 
-    const scalars slip0 = (start - particles.v).colwise().norm().array();
+    const scalars slip0 = (u.u0 - particles.v).colwise().norm().array();
 
     glide
     (
@@ -236,8 +271,7 @@ void Foam::aerosol::equationOfMotion::step
         acceleration_,
         particles.x,
         particles.v,
-        start,
-        u1 + w0,
+        u,
         end
     );
 
@@ -247,9 +281,20 @@ void Foam::aerosol::equationOfMotion::step
         return;
     }
 
-    wakes(particles, wakePairs, end.x, end.v, u1, end.w);
+    wakes(particles, wakePairs, end.x, end.v, gas.u1, end.w);
+    if (outside.cols())
+    {
+        end.w += outside;
+    }
 
-    const scalars slip1 = (u1 + end.w - end.v).colwise().norm().array();
+    // Then those that change on the way
+    u.u1 = gas.u1 + end.w;
+    if (gas.um.cols())
+    {
+        u.um = gas.um + 0.5*(w0 + end.w);
+    }
+
+    const scalars slip1 = (u.u1 - end.v).colwise().norm().array();
 
     glide
     (
@@ -258,8 +303,7 @@ void Foam::aerosol::equationOfMotion::step
         acceleration_,
         particles.x,
         particles.v,
-        start,
-        u1 + end.w,
+        u,
         end
     );
 }
@@ -272,8 +316,8 @@ void Foam::aerosol::equationOfMotion::moveOn
     const scalar h,
     const particleArrays& particles,
     const std::vector<particlePair>& wakePairs,
-    const vectors& u0,
-    const vectors& u1,
+    const gasStep& gas,
+    const vectors& outside,
     state& end
 )
 {
@@ -299,36 +343,30 @@ void Foam::aerosol::equationOfMotion::moveOn
         }
     }
 
+    const Eigen::Vector3d from =
+        outside.cols() ? Eigen::Vector3d(outside.col(i))
+      : Eigen::Vector3d(Eigen::Vector3d::Zero());
+
     vectors w;
-    wakes(particles, acting, particles.x, particles.v, u0, w);
+    wakes(particles, acting, particles.x, particles.v, gas.u0, w);
 
-    const vectors uEnd = u1.col(i) + w.col(i);
-    const vectors uNow =
-        uEnd - (1 - done)*(u1.col(i) - u0.col(i));
+    gasStep u;
+    u.u0 = gas.at(done).col(i) + w.col(i) + from;
+    u.u1 = gas.u1.col(i) + w.col(i) + from;
 
-    const scalars slip = (uNow - one.v).colwise().norm().array();
+    const scalars slip = (u.u0 - one.v).colwise().norm().array();
 
     scalars k = StokesRate_.segment<1>(i);
     k *= drag_->factor(one.d*slip/gas_.nu());
 
     state rest;
-    glide
-    (
-        (1 - done)*h,
-        k,
-        acceleration_.col(i),
-        one.x,
-        one.v,
-        uNow,
-        uEnd,
-        rest
-    );
+    glide((1 - done)*h, k, acceleration_.col(i), one.x, one.v, u, rest);
 
     end.x.col(i) = rest.x;
     end.v.col(i) = rest.v;
 
-    wakes(particles, acting, end.x, end.v, u1, w);
-    end.w.col(i) = w.col(i);
+    wakes(particles, acting, end.x, end.v, gas.u1, w);
+    end.w.col(i) = w.col(i) + from;
 }
 
 

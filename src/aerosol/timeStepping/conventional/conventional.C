@@ -43,6 +43,8 @@ void Foam::aerosol::conventional::advance
     const scalar h
 )
 {
+    ++effort_.fluidSteps;
+
     if (!p.size())
     {
         return;

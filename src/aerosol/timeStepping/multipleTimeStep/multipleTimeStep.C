@@ -44,6 +44,8 @@ void Foam::aerosol::multipleTimeStep::advance
     const scalar h
 )
 {
+    ++effort_.fluidSteps;
+
     if (!p.size())
     {
         return;

@@ -69,6 +69,51 @@ public:
           + (3 - 2*s)*s*s*x1_ - s*s*q*length_*v1_;
     }
 
+    //- No less than the speed relative to the other path, at any time: the
+    //  largest of the control points of the derivative, a Bezier curve, where
+    //  both are cubics over the same time, else the sum for both
+    double relativeSpeed(const path& b) const
+    {
+        const auto largest =
+        [](
+            const Eigen::Vector3d& v0,
+            const Eigen::Vector3d& chord,
+            const Eigen::Vector3d& v1
+        )
+        {
+            return
+                std::sqrt
+                (
+                    std::max
+                    ({
+                        v0.squaredNorm(),
+                        (3*chord - v0 - v1).squaredNorm(),
+                        v1.squaredNorm()
+                    })
+                );
+        };
+
+        if (begin_ == b.begin_ && length_ > 0)
+        {
+            return largest
+            (
+                v0_ - b.v0_,
+                (x1_ - x0_ - b.x1_ + b.x0_)/length_,
+                v1_ - b.v1_
+            );
+        }
+
+        const auto own = [&](const path& a)
+        {
+            return
+                a.length_ > 0
+              ? largest(a.v0_, (a.x1_ - a.x0_)/a.length_, a.v1_)
+              : 0.0;
+        };
+
+        return own(*this) + own(b);
+    }
+
     //- Its derivative
     Eigen::Vector3d velocity(const double t) const
     {
@@ -95,7 +140,7 @@ namespace
 //- An overlap found on the paths of a pair
 struct overlap
 {
-    int step;
+    double time;
     std::int64_t idI;
     std::int64_t idJ;
     int i;
@@ -109,7 +154,7 @@ struct overlap
     bool operator<(const overlap& b) const
     {
         return
-            std::tie(step, idI, idJ) > std::tie(b.step, b.idI, b.idJ);
+            std::tie(time, idI, idJ) > std::tie(b.time, b.idI, b.idJ);
     }
 };
 
@@ -145,6 +190,119 @@ Foam::aerosol::timeStepping::New
 }
 
 
+// * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
+
+double Foam::aerosol::timeStepping::firstOverlap
+(
+    const path& a,
+    const path& b,
+    const Eigen::Vector3d& shift,
+    const double touch,
+    const double first,
+    const double last,
+    const double interval,
+    const bool merges
+)
+{
+    const auto overlaps = [&](const double t)
+    {
+        return
+            (b.position(t) + shift - a.position(t)).squaredNorm()
+         <= touch*touch;
+    };
+
+    bool before = !merges && overlaps(first);
+
+    const int nSteps =
+        std::max(1, static_cast<int>(std::lround((last - first)/interval)));
+
+    for (int s = 0; s <= nSteps; ++s)
+    {
+        const double t = first + s*(last - first)/nSteps;
+        const bool now = overlaps(t);
+
+        if (now && !before)
+        {
+            return t;
+        }
+
+        before = now;
+    }
+
+    return GREAT;
+}
+
+
+double Foam::aerosol::timeStepping::firstTouch
+(
+    const path& a,
+    const path& b,
+    const Eigen::Vector3d& shift,
+    const double touch,
+    const double first,
+    const double last,
+    const bool merges
+)
+{
+    // No gap can close faster than this
+    const double speed = std::max(a.relativeSpeed(b), VSMALL);
+
+    const auto gap = [&](const double t)
+    {
+        return (b.position(t) + shift - a.position(t)).norm() - touch;
+    };
+
+    double t = first;
+    double distance = gap(t);
+
+    // Without merging, only those count that begin to overlap
+    while (!merges && distance <= 0 && t <= last)
+    {
+        t += std::max(-distance, 1e-3*touch)/speed;
+        distance = gap(t);
+    }
+
+    while (t <= last)
+    {
+        if (distance <= 0)
+        {
+            return t;
+        }
+
+        // Very close, the steps become too short: contact is where the gap
+        // closes at its present rate, unless they only graze
+        if (distance < 1e-6*touch)
+        {
+            double contact = t;
+
+            for (int n = 0; n < 3; ++n)
+            {
+                const Eigen::Vector3d r =
+                    b.position(contact) + shift - a.position(contact);
+                const double rate =
+                    (b.velocity(contact) - a.velocity(contact)).dot(r)/r.norm();
+
+                if (rate >= 0)
+                {
+                    break;
+                }
+                contact += (touch - r.norm())/rate;
+            }
+
+            if (contact <= last && gap(contact) <= 1e-12*touch)
+            {
+                return std::max(contact, first);
+            }
+        }
+
+        t += std::max(distance, 1e-6*touch)/speed;
+        distance = gap(t);
+    }
+
+    return GREAT;
+}
+
+
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
 Foam::aerosol::timeStepping::gasStep
@@ -152,7 +310,8 @@ Foam::aerosol::timeStepping::sampleGas
 (
     const particleArrays& p,
     const scalar t,
-    const scalar h
+    const scalar h,
+    const bool parabola
 ) const
 {
     gasStep gas;
@@ -172,6 +331,11 @@ Foam::aerosol::timeStepping::sampleGas
     }
 
     with_.sound.velocity(t + h, x1, gas.u1);
+
+    if (parabola)
+    {
+        with_.sound.velocity(t + 0.5*h, 0.5*(p.x + x1), gas.um);
+    }
 
     return gas;
 }
@@ -206,37 +370,86 @@ void Foam::aerosol::timeStepping::nestedSteps
 {
     search(p, relativeSpeed(p, gas), h);
 
-    const scalar hp = h/nParticle;
-    const vectors change = (gas.u1 - gas.u0)/nParticle;
-
-    vectors u0 = gas.u0;
-    vectors w0;
-    equationOfMotion::state end;
-
-    with_.motion.wakes(p, wakePairs_, p.x, p.v, u0, w0);
-
-    for (int s = 0; s < nParticle; ++s)
-    {
-        const vectors u1 = u0 + change;
-
-        with_.motion.step(hp, p, wakePairs_, u0, u1, w0, end);
-
-        collide(p, end, u0, u1, t + s*hp, hp, nCollision);
-
-        p.x.swap(end.x);
-        p.v.swap(end.v);
-        w0.swap(end.w);
-        u0 = u1;
-    }
+    march(p, gas, {}, {}, t, h, nParticle, nCollision);
 
     with_.contacts.sweep(p);
     with_.region.confine(p);
 
-    ++effort_.fluidSteps;
-    effort_.particleSteps += nParticle;
     effort_.collisionSteps += std::int64_t(nParticle)*nCollision;
+    effort_.particleSteps += nParticle;
     effort_.wakePairs += wakePairs_.size();
     effort_.contactPairs += contactPairs_.size();
+}
+
+
+void Foam::aerosol::timeStepping::march
+(
+    particleArrays& p,
+    const gasStep& gas,
+    const vectors& outside0,
+    const vectors& outside1,
+    const scalar t,
+    const scalar h,
+    const int nParticle,
+    const int nCollision
+)
+{
+    const scalar hp = h/nParticle;
+
+    gasStep now;
+    now.u0 = gas.u0;
+
+    vectors w0;
+    vectors outside;
+    equationOfMotion::state end;
+
+    with_.motion.wakes(p, wakePairs_, p.x, p.v, now.u0, w0);
+    if (outside0.cols())
+    {
+        w0 += outside0;
+    }
+
+    for (int s = 0; s < nParticle; ++s)
+    {
+        const scalar done = scalar(s + 1)/nParticle;
+
+        now.u1 = gas.at(done);
+        if (outside0.cols())
+        {
+            outside = outside0 + done*(outside1 - outside0);
+        }
+
+        with_.motion.step(hp, p, wakePairs_, now, w0, outside, end);
+
+        collide(p, end, now, outside, t + s*hp, hp, nCollision);
+
+        p.x.swap(end.x);
+        p.v.swap(end.v);
+        w0.swap(end.w);
+        now.u0.swap(now.u1);
+    }
+}
+
+
+void Foam::aerosol::timeStepping::searchWakes
+(
+    const particleArrays& p,
+    const scalars& way
+)
+{
+    wakePairs_.clear();
+
+    if (with_.motion.hasWakes())
+    {
+        const scalars& range = with_.motion.wakeRange();
+
+        grid_.build
+        (
+            p.x,
+            (range > 0).select(range + way + way.maxCoeff(), range)
+        );
+        grid_.acting(wakePairs_);
+    }
 }
 
 
@@ -255,17 +468,7 @@ void Foam::aerosol::timeStepping::search
     const scalars way =
         h*(relativeSpeed + h*with_.motion.maxAcceleration());
 
-    if (with_.motion.hasWakes())
-    {
-        const scalars& range = with_.motion.wakeRange();
-
-        grid_.build
-        (
-            p.x,
-            (range > 0).select(range + way + way.maxCoeff(), range)
-        );
-        grid_.acting(wakePairs_);
-    }
+    searchWakes(p, way);
 
     if (with_.contacts.active())
     {
@@ -282,8 +485,8 @@ void Foam::aerosol::timeStepping::collide
 (
     particleArrays& p,
     equationOfMotion::state& end,
-    const vectors& u0,
-    const vectors& u1,
+    const gasStep& gas,
+    const vectors& outside,
     const scalar t,
     const scalar h,
     const int nCollision
@@ -294,7 +497,6 @@ void Foam::aerosol::timeStepping::collide
         return;
     }
 
-    const scalar hc = h/nCollision;
     const Eigen::Array3d period = with_.region.period();
 
     // Particles that merged within this step began their path later
@@ -322,9 +524,8 @@ void Foam::aerosol::timeStepping::collide
 
     std::priority_queue<overlap> queue;
 
-    // The first collision step, from the given one on, at which a pair
-    // overlaps
-    const auto look = [&](const particlePair& pair, const int first)
+    // The first time, from the given one on, at which a pair overlaps
+    const auto look = [&](const particlePair& pair, const double first)
     {
         const int i = pair.i;
         const int j = pair.j;
@@ -364,32 +565,26 @@ void Foam::aerosol::timeStepping::collide
         const path pathI = pathOf(i);
         const path pathJ = pathOf(j);
 
-        const auto overlaps = [&](const int step)
+        const double when =
+            nCollision > 0
+          ? firstOverlap
+            (
+                pathI, pathJ, shift, touch, first, h, h/nCollision,
+                with_.contacts.merges()
+            )
+          : firstTouch
+            (
+                pathI, pathJ, shift, touch, first, h,
+                with_.contacts.merges()
+            );
+
+        if (when <= h)
         {
-            return
-                (pathJ.position(step*hc) + shift - pathI.position(step*hc))
-               .squaredNorm() <= touch*touch;
-        };
-
-        // Without merging, only those count that begin to overlap
-        bool before = !with_.contacts.merges() && overlaps(first);
-
-        for (int s = first; s <= nCollision; ++s)
-        {
-            const bool now = overlaps(s);
-
-            if (now && !before)
-            {
-                const int currentAge = age.empty() ? 0 : age[i] + age[j];
-
-                queue.push
-                (
-                    {s, p.id(i), p.id(j), i, j, pair.image, currentAge}
-                );
-                return;
-            }
-
-            before = now;
+            queue.push
+            ({
+                when, p.id(i), p.id(j), i, j, pair.image,
+                age.empty() ? 0 : age[i] + age[j]
+            });
         }
     };
 
@@ -416,7 +611,7 @@ void Foam::aerosol::timeStepping::collide
             continue;
         }
 
-        const scalar when = found.step*hc;
+        const scalar when = found.time;
         const path pathI = pathOf(i);
         const path pathJ = pathOf(j);
         const Eigen::Vector3d shift = shiftOf({i, j, found.image});
@@ -459,13 +654,16 @@ void Foam::aerosol::timeStepping::collide
 
         redirect(survivor, survivor == i ? j : i, image);
 
-        with_.motion.moveOn(survivor, when/h, h, p, wakePairs_, u0, u1, end);
+        with_.motion.moveOn
+        (
+            survivor, when/h, h, p, wakePairs_, gas, outside, end
+        );
 
         for (const particlePair& pair : contactPairs_)
         {
             if (pair.i == survivor || pair.j == survivor)
             {
-                look(pair, found.step);
+                look(pair, when);
             }
         }
     }
