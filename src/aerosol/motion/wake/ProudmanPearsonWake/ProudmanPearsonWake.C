@@ -39,24 +39,29 @@ void Foam::aerosol::ProudmanPearsonWake::evaluate
     const blockVectors& s = pairs.r;
     const blockVectors& U = pairs.slip;
 
-    const blockScalars distance =
-        (s[0].square() + s[1].square() + s[2].square()).sqrt();
-    const blockScalars R = distance/pairs.radius;
+    const blockScalars distanceSqr =
+        s[0].square() + s[1].square() + s[2].square();
 
-    // Most pairs of a dilute aerosol are far from each other
-    if ((R >= outer).all())
+    // Most pairs of a dilute aerosol are far from each other. The margin keeps
+    // rounding from making a result depend on the other pairs of its block.
+    constexpr double farAway = 1.001*outer;
+    if ((distanceSqr - farAway*farAway*pairs.radius.square()).minCoeff() > 0)
     {
         return;
     }
+
+    const blockScalars distance = distanceSqr.sqrt();
+    const blockScalars R = distance/pairs.radius;
 
     const blockScalars x =
         ((R - inner)/(outer - inner)).max(0.0).min(1.0);
     const blockScalars far = x.square()*(3 - 2*x);
     const blockScalars near = 1 - far;
 
-    const blockScalars e0 = s[0]/distance;
-    const blockScalars e1 = s[1]/distance;
-    const blockScalars e2 = s[2]/distance;
+    const blockScalars perDistance = 1/distance;
+    const blockScalars e0 = s[0]*perDistance;
+    const blockScalars e1 = s[1]*perDistance;
+    const blockScalars e2 = s[2]*perDistance;
     const blockScalars along = U[0]*e0 + U[1]*e1 + U[2]*e2;
     const blockScalars speedSqr =
         U[0].square() + U[1].square() + U[2].square();
