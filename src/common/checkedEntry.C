@@ -155,6 +155,45 @@ Foam::scalar Foam::readPositive
 }
 
 
+Foam::scalar Foam::readFraction(const dictionary& dict, const word& key)
+{
+    const scalar value = readPositive(dict, key, dimless);
+
+    if (value > 1)
+    {
+        refuse(dict, key, value, "above 0 and not above 1");
+    }
+
+    return value;
+}
+
+
+Foam::scalar Foam::readFraction
+(
+    const dictionary& dict,
+    const word& key,
+    const scalar defaultValue
+)
+{
+    return dict.found(key) ? readFraction(dict, key) : defaultValue;
+}
+
+
+void Foam::requireOnly(const dictionary& dict, const wordList& valid)
+{
+    for (const word& key : dict.toc())
+    {
+        if (!valid.found(key))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Unknown entry '" << key << "' in " << dict.name()
+                << "; valid entries are " << valid
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
 Foam::scalar Foam::readNonNegative
 (
     const dictionary& dict,

@@ -50,6 +50,11 @@ int main(int argc, char *argv[])
     #include "createMesh.H"
     #include "createFields.H"
 
+    if (cloud)
+    {
+        cloud->begin();
+    }
+
     Info<< "\nStarting time loop\n" << endl;
 
     while (runTime.run())

@@ -174,6 +174,12 @@ Foam::acoustics::compressibleSound::compressibleSound
     ),
     gas_(undisturbedGas())
 {
+    requireOnly
+    (
+        dict,
+        {"type", "frequency", "SPL", "velocityAmplitude", "logSolvers"}
+    );
+
     mesh.setFluxRequired(p_.name());
     turbulence_->validate();
     keepOldLevels();

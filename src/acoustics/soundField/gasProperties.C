@@ -50,6 +50,8 @@ Foam::acoustics::gasProperties Foam::acoustics::gasProperties::read
     const dictionary& dict
 )
 {
+    requireOnly(dict, {"rho", "mu", "T", "c", "meanFreePath"});
+
     const gasProperties air = gasProperties::air();
     gasProperties gas;
 

@@ -91,23 +91,33 @@ Foam::aerosol::aerosolCloud::aerosolCloud
         )
     ),
     nextRow_(0),
-    outgrown_(false)
+    outgrown_(false),
+    isNew_(true)
 {
+    requireKnownModels();
     cloudFiles::requireExact(mesh_.time());
 
     checkInside();
     sound_.prepare(domain_->bounds());
 
-    start();
+    isNew_ = !files_.found();
 
-    motion_.refresh(particles_);
-    checkSize();
+    if (isNew_)
+    {
+        makeParticles();
+        motion_.refresh(particles_);
+        checkRanges();
+    }
+    else
+    {
+        readParticles();
+        motion_.refresh(particles_);
+        checkGrowth();
+    }
 
-    tables_.reset(new agglomerationTables(mesh_, sizeBins_));
+    checkSound();
 
     Info<< summary().c_str() << nl << endl;
-
-    tabulate();
 }
 
 
@@ -132,23 +142,69 @@ Foam::aerosol::aerosolCloud::NewIfPresent
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::aerosol::aerosolCloud::start()
+void Foam::aerosol::aerosolCloud::requireKnownModels() const
 {
-    if (files_.found())
+    const wordList known
+    ({
+        "domain", "particles", "timeStepping", "drag", "gravity", "wake",
+        "contact", "aggregate", "report"
+    });
+
+    // Other entries are variables of the user
+    for (const entry& e : dict_)
     {
-        const dictionary state = files_.read(particles_);
-
-        N0_ = state.get<label>("initialNumber");
-        N0PM25_ = state.get<label>("initialNumberPM25");
-        contacts_.setCount(state.get<label>("contacts"));
-        sizeBins_ = state.subDict("sizeBins");
-
-        Info<< "Continuing with the " << particles_.size()
-            << " particles of time " << mesh_.time().timeName() << nl;
-
-        return;
+        if
+        (
+            e.isDict()
+         && e.keyword() != "FoamFile"
+         && !known.found(e.keyword())
+        )
+        {
+            FatalIOErrorInFunction(e.dict())
+                << "Unknown dictionary '" << e.keyword() << "' in "
+                << dict_.name() << "; valid ones are " << known
+                << exit(FatalIOError);
+        }
     }
 
+    requireOnly(dict_.subOrEmptyDict("report"), {"interval", "sizeBins"});
+}
+
+
+void Foam::aerosol::aerosolCloud::readParticles()
+{
+    const dictionary state = files_.read(particles_);
+
+    N0_ = state.get<label>("initialNumber");
+    N0PM25_ = state.get<label>("initialNumberPM25");
+    contacts_.setCount(state.get<label>("contacts"));
+    sizeBins_ = state.subDict("sizeBins");
+
+    // A change of these would be ignored, or would move the particles
+    const auto requireSame = [&](const word& name, const word& then)
+    {
+        if (state.subDict(then).digest() != dict_.subDict(name).digest())
+        {
+            FatalIOErrorInFunction(dict_.subDict(name))
+                << "The dictionary '" << name << "' has changed since the"
+                << " particles of time " << mesh_.time().timeName()
+                << " were made. To begin anew, remove all times, and"
+                << " lagrangian and uniform of the first one; to continue,"
+                << " restore the dictionary"
+                << exit(FatalIOError);
+        }
+    };
+
+    requireSame("domain", "domainWas");
+    requireSame("particles", "particlesWere");
+
+    Info<< "Continuing with the " << particles_.size()
+        << " particles of time " << mesh_.time().timeName() << nl;
+}
+
+
+void Foam::aerosol::aerosolCloud::makeParticles()
+{
     requireNoneBefore();
 
     const autoPtr<particleSource> source =
@@ -170,9 +226,6 @@ void Foam::aerosol::aerosolCloud::start()
         dict_.subOrEmptyDict("report"),
         particles_.d
     );
-
-    // ParaView finds a cloud only if it is there from the first time on
-    files_.write(particles_, state());
 }
 
 
@@ -215,7 +268,7 @@ void Foam::aerosol::aerosolCloud::checkInside() const
 }
 
 
-void Foam::aerosol::aerosolCloud::checkSize() const
+void Foam::aerosol::aerosolCloud::checkRanges() const
 {
     const dictionary& dict = dict_.subDict("domain");
     const scalar shortest = domain_->bounds().minDim();
@@ -237,28 +290,45 @@ void Foam::aerosol::aerosolCloud::checkSize() const
 
     requireRange("range of contact", particles_.d.maxCoeff());
     requireRange("range of the wakes", motion_.wakeRange().maxCoeff());
+}
 
+
+void Foam::aerosol::aerosolCloud::checkSound() const
+{
     if (sound_.frequency() <= 0)
     {
         return;
     }
 
+    const scalar steps =
+        1/(sound_.frequency()*mesh_.time().deltaTValue());
+    const scalar shortest = domain_->bounds().minDim();
+
     // Those that are carried along best and least move relative to each other
     const scalar omega = constant::mathematical::twoPi*sound_.frequency();
     const scalars tau = motion_.relaxationTime();
-    const scalar s1 = omega*tau.minCoeff();
-    const scalar s2 = omega*tau.maxCoeff();
+    const scalar s1 = min(omega*tau.minCoeff(), 1e8);
+    const scalar s2 = min(omega*tau.maxCoeff(), 1e8);
     const scalar u12 =
         sound_.velocityAmplitude()*(s2 - s1)/sqrt((1 + s1*s1)*(1 + s2*s2));
     const scalar displacement = 2*u12/omega;
     const scalar layer = sqrt(2*sound_.gas().nu()/omega);
 
     std::ostringstream os;
-    os  << "Relative displacement of the smallest and the largest particle "
+    os  << "Fluid steps per period " << steps << " (k_f = " << 1/steps
+        << ")\nRelative displacement of the smallest and the largest particle "
         << displacement << " m (peak to peak), Stokes layer " << layer
         << " m, shortest edge of the domain " << shortest << " m";
 
     Info<< os.str().c_str() << nl;
+
+    if (steps < 20)
+    {
+        WarningInFunction
+            << "With " << steps << " fluid steps per period the particles do"
+            << " not see the sound as it is: use 20 at least, and 50 for"
+            << " strategies other than eventDriven" << endl;
+    }
 
     if (shortest < displacement || shortest < 4*layer)
     {
@@ -337,12 +407,27 @@ Foam::dictionary Foam::aerosol::aerosolCloud::state() const
     dict.add("initialNumberPM25", N0PM25_);
     dict.add("contacts", label(contacts_.count()));
     dict.add("sizeBins", sizeBins_);
+    dict.add("domainWas", dict_.subDict("domain"));
+    dict.add("particlesWere", dict_.subDict("particles"));
 
     return dict;
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::aerosol::aerosolCloud::begin()
+{
+    if (isNew_)
+    {
+        // ParaView finds a cloud only if it is there from the first time on
+        files_.write(particles_, state());
+    }
+
+    tables_.reset(new agglomerationTables(mesh_, sizeBins_));
+    tabulate();
+}
+
 
 void Foam::aerosol::aerosolCloud::evolve()
 {

@@ -418,13 +418,15 @@ TEST(contacts, withoutAggregatesAreCountedAndChangeNothing)
     contacts meetings = make("stick", "none");
 
     EXPECT_TRUE(meetings.active());
-    EXPECT_FALSE(meetings.merges());
+    EXPECT_FALSE(meetings.refused(p.id(0), p.id(1)));
 
     EXPECT_EQ
     (
         meetings.meet(p, touching(p, 0, 1, vec::Zero(), vec::UnitX())), -1
     );
     EXPECT_EQ(meetings.count(), 1);
+    EXPECT_TRUE(meetings.refused(p.id(0), p.id(1)));
+    EXPECT_TRUE(meetings.refused(p.id(1), p.id(0)));
     EXPECT_FALSE(meetings.absorbed(0));
     EXPECT_FALSE(meetings.absorbed(1));
 
@@ -442,7 +444,6 @@ TEST(contacts, noneAreNotLookedFor)
 {
     EXPECT_FALSE(make("none").active());
     EXPECT_TRUE(make("stick").active());
-    EXPECT_TRUE(make("stick").merges());
 }
 
 

@@ -68,6 +68,27 @@ public:
     }
 };
 
+//- Nothing sticks: who touches goes on through the other one
+class neverStick
+:
+    public contactOutcome
+{
+public:
+
+    TypeName("neverStick");
+
+    explicit neverStick(const dictionary&)
+    {}
+
+    bool sticks(const particleArrays&, const encounter&) const override
+    {
+        return false;
+    }
+};
+
+defineTypeNameAndDebug(neverStick, 0);
+addToRunTimeSelectionTable(contactOutcome, neverStick, dictionary);
+
 defineTypeNameAndDebug(recordedStick, 0);
 addToRunTimeSelectionTable(contactOutcome, recordedStick, dictionary);
 
@@ -911,6 +932,34 @@ TEST_P(eachTimeStepping, doesNotLetTheFastTunnel)
 
     EXPECT_EQ(meetings.size(), 0u);
     EXPECT_EQ(miss.p.size(), 2);
+}
+
+
+TEST_P(eachTimeStepping, countsAContactThatDoesNotStickOnce)
+{
+    // Through one another within 10 fluid steps, and once more around the box
+    settings law = with("type none;");
+    law.contact = "type neverStick;";
+
+    experiment pair
+    (
+        arrays
+        ({
+            {1, 10e-6, 1000, {-20e-6, 1e-6, 0}, {1, 0, 0}},
+            {2, 10e-6, 1000, {20e-6, 0, 0}, {-1, 0, 0}}
+        }),
+        100e-6,
+        law
+    );
+
+    // They touch after 15 us, part after 25 us, and meet again after 65 us
+    pair.run(1e-6, 12);
+    EXPECT_EQ(pair.count(), 0);
+    pair.run(1e-6, 40);
+    EXPECT_EQ(pair.count(), 1);
+    pair.run(1e-6, 20);
+    EXPECT_EQ(pair.count(), 2);
+    EXPECT_EQ(pair.p.size(), 2);
 }
 
 

@@ -21,6 +21,13 @@ Foam::acoustics::planeWave::planeWave(const dictionary& dict)
     omega_(constant::mathematical::twoPi*frequency()),
     k_(omega_/gas().c)
 {
+    requireOnly
+    (
+        dict,
+        {"type", "frequency", "SPL", "velocityAmplitude", "direction", "origin",
+         "phase", "gas"}
+    );
+
     Info<< "    " << level_ << nl
         << "    frequency " << frequency() << " Hz, wavelength "
         << gas().c/frequency() << " m" << endl;

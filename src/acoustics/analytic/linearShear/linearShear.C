@@ -36,6 +36,13 @@ Foam::acoustics::linearShear::linearShear(const dictionary& dict)
     velocity_(readVector(dict, "velocity", dimVelocity)),
     velocityAmplitude_(velocity_.norm())
 {
+    requireOnly
+    (
+        dict,
+        {"type", "shearRate", "flowDirection", "gradientDirection", "origin",
+         "velocity", "gas"}
+    );
+
     const Eigen::Vector3d flowDirection =
         toEigen(readDirection(dict, "flowDirection", vector(1, 0, 0)));
 

@@ -27,7 +27,9 @@ Foam::acoustics::quiescent::quiescent(const dictionary& dict)
 :
     analyticSound(0, dict),
     velocity_(readVector(dict, "velocity", dimVelocity))
-{}
+{
+    requireOnly(dict, {"type", "velocity", "gas"});
+}
 
 
 Foam::acoustics::quiescent::quiescent

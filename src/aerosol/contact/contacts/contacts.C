@@ -26,8 +26,9 @@ int Foam::aerosol::contacts::meet
 {
     ++count_;
 
-    if (!merges() || !outcome_->sticks(p, pair))
+    if (!aggregate_->merges() || !outcome_->sticks(p, pair))
     {
+        refused_.insert(std::minmax(p.id(pair.i), p.id(pair.j)));
         return -1;
     }
 

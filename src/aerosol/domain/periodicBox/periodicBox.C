@@ -6,6 +6,7 @@
 #include "periodicBox.H"
 #include "ITstream.H"
 #include "addToRunTimeSelectionTable.H"
+#include "checkedEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -61,6 +62,8 @@ Foam::vector readLength(const Foam::dictionary& dict)
 
 Foam::aerosol::periodicBox::periodicBox(const dictionary& dict)
 {
+    requireOnly(dict, {"type", "centre", "length"});
+
     const vector centre = dict.get<vector>("centre");
     const vector length = readLength(dict);
 

@@ -144,12 +144,12 @@ Foam::aerosol::scalars Foam::aerosol::equationOfMotion::relaxationTime() const
 }
 
 
-Foam::scalar Foam::aerosol::equationOfMotion::maxAcceleration() const
+Foam::aerosol::scalars
+Foam::aerosol::equationOfMotion::gain(const scalar h) const
 {
     return
-        acceleration_.cols()
-      ? acceleration_.colwise().norm().maxCoeff()
-      : 0;
+        acceleration_.colwise().norm().transpose().array()
+       *relaxationTime().min(h);
 }
 
 

@@ -30,8 +30,10 @@ Foam::aerosol::conventional::conventional
 )
 :
     timeStepping(with),
-    kc_(readPositive(dict, "kc", dimless))
-{}
+    kc_(readFraction(dict, "kc"))
+{
+    requireOnly(dict, {"type", "kc"});
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -47,8 +47,10 @@ Foam::aerosol::eventDriven::eventDriven
 )
 :
     timeStepping(with),
-    resolution_(readPositive(dict, "resolution", dimless, 0.25))
-{}
+    resolution_(readFraction(dict, "resolution", 0.25))
+{
+    requireOnly(dict, {"type", "resolution"});
+}
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -336,10 +338,7 @@ void Foam::aerosol::eventDriven::advance
 
     const gasStep gas = sampleGas(p, t, h, true);
 
-    const scalars way =
-        h*(relativeSpeed(p, gas) + h*with_.motion.maxAcceleration());
-
-    searchWakes(p, way);
+    searchWakes(p, relativeWay(p, gas, h));
 
     vectors w0;
     equationOfMotion::state end;

@@ -30,9 +30,11 @@ Foam::aerosol::multipleTimeStep::multipleTimeStep
 )
 :
     timeStepping(with),
-    kp_(readPositive(dict, "kp", dimless)),
-    kc_(readPositive(dict, "kc", dimless))
-{}
+    kp_(readFraction(dict, "kp")),
+    kc_(readFraction(dict, "kc"))
+{
+    requireOnly(dict, {"type", "kp", "kc"});
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

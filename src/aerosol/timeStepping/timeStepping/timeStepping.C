@@ -201,7 +201,7 @@ double Foam::aerosol::timeStepping::firstOverlap
     const double first,
     const double last,
     const double interval,
-    const bool merges
+    const bool onlyNew
 )
 {
     const auto overlaps = [&](const double t)
@@ -211,7 +211,7 @@ double Foam::aerosol::timeStepping::firstOverlap
          <= touch*touch;
     };
 
-    bool before = !merges && overlaps(first);
+    bool before = onlyNew && overlaps(first);
 
     const int nSteps =
         std::max(1, static_cast<int>(std::lround((last - first)/interval)));
@@ -241,7 +241,7 @@ double Foam::aerosol::timeStepping::firstTouch
     const double touch,
     const double first,
     const double last,
-    const bool merges
+    const bool onlyNew
 )
 {
     // No gap can close faster than this
@@ -255,8 +255,8 @@ double Foam::aerosol::timeStepping::firstTouch
     double t = first;
     double distance = gap(t);
 
-    // Without merging, only those count that begin to overlap
-    while (!merges && distance <= 0 && t <= last)
+    // Out of an overlap that does not count
+    while (onlyNew && distance <= 0 && t <= last)
     {
         t += std::max(-distance, 1e-3*touch)/speed;
         distance = gap(t);
@@ -358,6 +358,32 @@ Foam::aerosol::scalars Foam::aerosol::timeStepping::relativeSpeed
 }
 
 
+Foam::aerosol::scalars Foam::aerosol::timeStepping::relativeWay
+(
+    const particleArrays& p,
+    const gasStep& gas,
+    const scalar h
+) const
+{
+    const scalars way = h*(relativeSpeed(p, gas) + with_.motion.gain(h));
+
+    const scalar furthest = way.maxCoeff();
+    const scalar shortest = with_.region.bounds().minDim();
+
+    if (p.size() > 1 && furthest > shortest)
+    {
+        FatalErrorInFunction
+            << "In one fluid step of " << h << " s a particle can move by "
+            << furthest << " m relative to the others, which is more than the "
+            << "shortest edge of the domain, " << shortest
+            << " m. Reduce deltaT"
+            << exit(FatalError);
+    }
+
+    return way;
+}
+
+
 void Foam::aerosol::timeStepping::nestedSteps
 (
     particleArrays& p,
@@ -368,7 +394,7 @@ void Foam::aerosol::timeStepping::nestedSteps
     const int nCollision
 )
 {
-    search(p, relativeSpeed(p, gas), h);
+    search(p, gas, h);
 
     march(p, gas, {}, {}, t, h, nParticle, nCollision);
 
@@ -458,22 +484,23 @@ void Foam::aerosol::timeStepping::searchWakes
 void Foam::aerosol::timeStepping::search
 (
     const particleArrays& p,
-    const scalars& relativeSpeed,
+    const gasStep& gas,
     const scalar h
 )
 {
     with_.motion.refresh(p);
 
-    // How far a particle gets from where it would be if all moved alike
-    const scalars way =
-        h*(relativeSpeed + h*with_.motion.maxAcceleration());
+    const scalars way = relativeWay(p, gas, h);
 
     searchWakes(p, way);
 
     if (with_.contacts.active())
     {
-        // More for the wakes, which are no faster than the slip of their source
-        const scalar drawn = with_.motion.hasWakes() ? way.maxCoeff() : 0;
+        // More for the wake of a neighbour, which is no faster than its slip,
+        // and that no faster than twice the relative speed. A sphere that has
+        // just grown by a merger may touch one that is not listed: it is found
+        // in the next step.
+        const scalar drawn = with_.motion.hasWakes() ? 2*way.maxCoeff() : 0;
 
         grid_.build(p.x, 0.5*p.d + way + drawn);
         grid_.touching(contactPairs_);
@@ -543,8 +570,8 @@ void Foam::aerosol::timeStepping::collide
         const double touch = 0.5*(p.d(i) + p.d(j));
         const Eigen::Vector3d shift = shiftOf(pair);
 
-        // Most pairs stay apart: bound the distance by the shorter of both
-        // ends less the way that is left between them
+        // Most pairs stay apart: the distance is no less than that at either
+        // end less the way between them
         if (begin.empty())
         {
             const Eigen::Vector3d r0 = p.x.col(j) + shift - p.x.col(i);
@@ -552,11 +579,11 @@ void Foam::aerosol::timeStepping::collide
             const Eigen::Vector3d v0 = p.v.col(j) - p.v.col(i);
             const Eigen::Vector3d v1 = end.v.col(j) - end.v.col(i);
 
-            // Hermite's cubic is no further from the nearer end than this
+            // Hermite's cubic is no further from an end than this
             const double way =
                 (r1 - r0).norm() + 4.0/27.0*h*(v0.norm() + v1.norm());
 
-            if (std::min(r0.norm(), r1.norm()) > touch + way)
+            if (std::max(r0.norm(), r1.norm()) > touch + way)
             {
                 return;
             }
@@ -565,17 +592,20 @@ void Foam::aerosol::timeStepping::collide
         const path pathI = pathOf(i);
         const path pathJ = pathOf(j);
 
+        // Who touched without sticking does so again only after a separation
+        const bool onlyNew = with_.contacts.refused(p.id(i), p.id(j));
+
         const double when =
             nCollision > 0
           ? firstOverlap
             (
                 pathI, pathJ, shift, touch, first, h, h/nCollision,
-                with_.contacts.merges()
+                onlyNew
             )
           : firstTouch
             (
                 pathI, pathJ, shift, touch, first, h,
-                with_.contacts.merges()
+                onlyNew
             );
 
         if (when <= h)

@@ -5,6 +5,7 @@
 
 #include "equivalentSphere.H"
 #include "addToRunTimeSelectionTable.H"
+#include "checkedEntry.H"
 #include <cmath>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -21,8 +22,10 @@ namespace aerosol
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::aerosol::equivalentSphere::equivalentSphere(const dictionary&)
-{}
+Foam::aerosol::equivalentSphere::equivalentSphere(const dictionary& dict)
+{
+    requireOnly(dict, {"type"});
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

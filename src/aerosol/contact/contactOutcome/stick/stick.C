@@ -5,6 +5,7 @@
 
 #include "stick.H"
 #include "addToRunTimeSelectionTable.H"
+#include "checkedEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -20,8 +21,10 @@ namespace aerosol
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::aerosol::stick::stick(const dictionary&)
-{}
+Foam::aerosol::stick::stick(const dictionary& dict)
+{
+    requireOnly(dict, {"type"});
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

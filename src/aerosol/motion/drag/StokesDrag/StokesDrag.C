@@ -5,6 +5,7 @@
 
 #include "StokesDrag.H"
 #include "addToRunTimeSelectionTable.H"
+#include "checkedEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -23,7 +24,9 @@ namespace aerosol
 Foam::aerosol::StokesDrag::StokesDrag(const dictionary& dict)
 :
     slip_(slipCorrection::New(dict))
-{}
+{
+    requireOnly(dict, {"type", "slipCorrection"});
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -5,6 +5,7 @@
 
 #include "uniformGravity.H"
 #include "addToRunTimeSelectionTable.H"
+#include "checkedEntry.H"
 #include "vector.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -23,6 +24,8 @@ namespace aerosol
 
 Foam::aerosol::uniformGravity::uniformGravity(const dictionary& dict)
 {
+    requireOnly(dict, {"type", "value"});
+
     const vector g = dict.get<vector>("value");
     g_ << g.x(), g.y(), g.z();
 }

@@ -24,7 +24,9 @@ namespace aerosol
 Foam::aerosol::OseenWake::OseenWake(const dictionary& dict)
 :
     range_(readPositive(dict, "range", dimless))
-{}
+{
+    requireOnly(dict, {"type", "range"});
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -129,7 +129,9 @@ Foam::aerosol::distributionSource::distributionSource(const dictionary& dict)
     particleSource(dict),
     size_(sizeDistribution::New(dict.subDict("size"))),
     random_(dict.lookupOrDefault<label>("seed", 1))
-{}
+{
+    requireKnown(dict);
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

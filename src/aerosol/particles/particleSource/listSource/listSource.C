@@ -164,6 +164,8 @@ Foam::aerosol::listSource::listSource(const dictionary& dict)
 :
     particleSource(dict)
 {
+    requireKnown(dict);
+
     if (dict.found("particles") == dict.found("file"))
     {
         FatalIOErrorInFunction(dict)

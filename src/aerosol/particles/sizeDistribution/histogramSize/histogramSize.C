@@ -27,6 +27,8 @@ namespace aerosol
 
 Foam::aerosol::histogramSize::histogramSize(const dictionary& dict)
 {
+    requireKnown(dict);
+
     if (dict.found("bins") == dict.found("file"))
     {
         FatalIOErrorInFunction(dict)

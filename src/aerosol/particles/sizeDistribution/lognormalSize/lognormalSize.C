@@ -60,6 +60,8 @@ Foam::aerosol::lognormalSize::lognormalSize(const dictionary& dict)
     aboveMin_(normalFraction(-z(min_))),
     aboveMax_(normalFraction(-z(max_)))
 {
+    requireKnown(dict);
+
     if (min_ >= max_)
     {
         FatalIOErrorInFunction(dict)

@@ -24,7 +24,9 @@ namespace aerosol
 Foam::aerosol::monodisperseSize::monodisperseSize(const dictionary& dict)
 :
     diameter_(readPositive(dict, "diameter", dimLength))
-{}
+{
+    requireKnown(dict);
+}
 
 
 // ************************************************************************* //
