@@ -232,6 +232,26 @@ BAD = {
         "number 2 of 'bins', .* not overlap",
     ),
 
+    # Entries that nobody reads
+    "typoInSeed": (AEROSOL, r"\bseed\b", "sed", "Unknown .* 'sed' .* seed"),
+    "typoInSound": (
+        ACOUSTIC, "SPL", "directon (0 1 0); SPL",
+        "Unknown .* 'directon' .* direction",
+    ),
+    "typoInGas": (
+        ACOUSTIC, "SPL", "gas { rh 1.2; } SPL", r"Unknown .* 'rh' .*\(rho",
+    ),
+    "typoInReport": (
+        AEROSOL, "domain", "report { intervall 1; }\ndomain",
+        r"Unknown .* 'intervall' .*\(interval",
+    ),
+    "unknownDictionary": (
+        AEROSOL, "domain", "reprt { interval 1; }\ndomain",
+        "Unknown .* 'reprt' .* report",
+    ),
+    "kpAboveOne": (AEROSOL, r"kp +[0-9.]+", "kp 1000", "'kp' .* not above 1"),
+    "kcAboveOne": (AEROSOL, r"kc +[0-9.]+", "kc 100", "'kc' .* not above 1"),
+
     # Reports and files
     "interval": (
         AEROSOL, "domain", "report { interval 0; }\ndomain",
