@@ -53,6 +53,7 @@ void Foam::aerosol::searchGrid::visit
 {
     std::array<int, 3> lo;
     std::array<int, 3> hi;
+    bool inside = true;
 
     for (int k = 0; k < 3; ++k)
     {
@@ -68,6 +69,43 @@ void Foam::aerosol::searchGrid::visit
             lo[k] = std::min(std::max(lo[k], 0), cells_[k] - 1);
             hi[k] = std::min(std::max(hi[k], 0), cells_[k] - 1);
         }
+
+        inside = inside && lo[k] >= 0 && hi[k] < cells_[k];
+    }
+
+    // Cells of a row are next to one another: they are a single run of entries
+    const auto run =
+    [&](
+        const int row,
+        const int first,
+        const int last,
+        const Eigen::Array3d& from,
+        const std::array<int, 3>& image
+    )
+    {
+        const entry* other = entries_.data() + start_[row + first];
+        const entry* const end = entries_.data() + start_[row + last + 1];
+
+        for (; other != end; ++other)
+        {
+            visitor(*other, (other->x - from).matrix().squaredNorm(), image);
+        }
+    };
+
+    if (inside)
+    {
+        // Most are far enough from the border to see no images
+        for (int cx = lo[0]; cx <= hi[0]; ++cx)
+        {
+            for (int cy = lo[1]; cy <= hi[1]; ++cy)
+            {
+                const int row = (cx*cells_[1] + cy)*cells_[2];
+
+                run(row, lo[2], hi[2], centre, {0, 0, 0});
+            }
+        }
+
+        return;
     }
 
     const auto floorDivide = [](const int a, const int b)
@@ -90,28 +128,16 @@ void Foam::aerosol::searchGrid::visit
             from(1) = centre(1) - image[1]*period_(1);
             const int row = (plane + cy - image[1]*cells_[1])*cells_[2];
 
-            // Cells of a row are next to one another: all those of one image
-            // are a single run of entries
             for (int cz = lo[2]; cz <= hi[2]; )
             {
                 image[2] = floorDivide(cz, cells_[2]);
                 from(2) = centre(2) - image[2]*period_(2);
 
-                const int first = image[2]*cells_[2];
-                const int last = std::min(hi[2], first + cells_[2] - 1);
+                // All those of one image at once
+                const int begin = image[2]*cells_[2];
+                const int last = std::min(hi[2], begin + cells_[2] - 1);
 
-                const entry* other = &entries_[0] + start_[row + cz - first];
-                const entry* end = &entries_[0] + start_[row + last - first+1];
-
-                for (; other != end; ++other)
-                {
-                    visitor
-                    (
-                        *other,
-                        (other->x - from).matrix().squaredNorm(),
-                        image
-                    );
-                }
+                run(row, cz - begin, last - begin, from, image);
 
                 cz = last + 1;
             }
@@ -128,7 +154,7 @@ Foam::aerosol::searchGrid::searchGrid(const domain& region)
     span_(components(region.bounds().span())),
     period_(region.period()),
     cells_{1, 1, 1},
-    cellSize_(span_)
+    inverseSize_(1/span_)
 {}
 
 
@@ -144,7 +170,7 @@ void Foam::aerosol::searchGrid::build(const vectors& x, const scalars& reach)
     for (int k = 0; k < 3; ++k)
     {
         cells_[k] = std::max(1, static_cast<int>(span_(k)/size));
-        cellSize_(k) = span_(k)/cells_[k];
+        inverseSize_(k) = cells_[k]/span_(k);
     }
 
     // Counting sort, which keeps the order of the particles in a cell
@@ -210,7 +236,8 @@ void Foam::aerosol::searchGrid::touching
 {
     pairs.clear();
 
-    for (const entry& own : unsorted_)
+    // In the order of the grid: neighbours are next to one another in memory
+    for (const entry& own : entries_)
     {
         // The one with the larger reach looks for the other one
         visit
@@ -247,7 +274,8 @@ void Foam::aerosol::searchGrid::acting(std::vector<particlePair>& pairs) const
 {
     pairs.clear();
 
-    for (const entry& own : unsorted_)
+    // In the order of the grid: neighbours are next to one another in memory
+    for (const entry& own : entries_)
     {
         if (own.reach <= 0)
         {
