@@ -91,9 +91,22 @@ def look(view, bounds):
     view.CameraViewAngle = 30
 
 
-times = open_case().TimestepValues
+def has_particles(time):
+    reader = open_case()
+    reader.UpdatePipeline(time)
+    return count(servermanager.Fetch(reader)) > 0
+
+
+times = list(open_case().TimestepValues)
+while times and not has_particles(times[0]):
+    del times[0]
+while times and not has_particles(times[-1]):
+    del times[-1]
 if not times:
-    sys.exit("no times with a cloud")
+    if created:
+        os.remove(marker)
+    sys.exit(f"ERROR: no time in {case} has particles that ParaView finds; it "
+             "looks at the first two times: is 0/lagrangian there?")
 
 layout = CreateLayout("particles")
 layout.SplitHorizontal(0, 0.5)

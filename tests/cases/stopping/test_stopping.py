@@ -1,0 +1,83 @@
+"""A run that is stopped ends cleanly and goes on from where it was."""
+
+import os
+import signal
+import subprocess
+import time
+
+import pytest
+from foamcase import FoamCase
+
+
+def wait(condition, seconds=60):
+    end = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < end
+        time.sleep(0.05)
+
+
+@pytest.fixture(name="case")
+def fixture_case(tmp_path):
+    """An endless case whose sound is solved, with particles."""
+    case = FoamCase("flyAshChamber", tmp_path/"case")
+    case.replace("constant/aerosolProperties", "5.2e12", "5e10")
+    case.replace("system/controlDict", r"100\.0/", "10000.0/")
+    case.replace("system/controlDict", "2000;", "50;")
+    case.run("blockMesh")
+
+    # Edits within fileModificationSkew, 10 s, of the last one are not seen
+    past = time.time() - 3600
+    os.utime(case.path/"system/controlDict", (past, past))
+    return case
+
+
+@pytest.fixture(name="run")
+def fixture_run(case):
+    """The solver at work in it, after it has written some times."""
+    with (case.path/"log").open("w") as log:
+        run = subprocess.Popen(
+            [f"{os.environ['ACOUSTICDEM_APPBIN']}/acousticDEMFoam"],
+            cwd=case.path, stdout=log, stderr=subprocess.STDOUT,
+        )
+    try:
+        wait(lambda: len(times(case)) > 3)
+        yield run
+    finally:
+        run.kill()
+        run.wait()
+
+
+def times(case):
+    """Numbers of the steps that are written, except 0."""
+    return sorted(
+        round(float(path.parent.name)*1400*200)
+        for path in case.path.glob("[0-9]*/U") if path.parent.name[-1] != "g"
+    )[1:]
+
+
+def goes_on(case):
+    """Three more steps from the last time: the aerosol is complete."""
+    last = times(case)[-1]
+    case.replace("system/controlDict", r"stopAt [^;]*;", "stopAt endTime;")
+    case.replace(
+        "system/controlDict", r"endTime  [^;]*;",
+        f"endTime #eval{{ {last + 3}.0/(200*$frequency) }};",
+    )
+    log = case.run("acousticDEMFoam")
+    assert log.rstrip().endswith("End")
+    first = float(log.split("Create mesh for time = ")[1].split()[0])
+    assert round(first*1400*200) == last
+
+
+def test_stopAt_writeNow(case, run):
+    case.replace("system/controlDict", "stopAt [^;]*;", "stopAt writeNow;")
+    assert run.wait(60) == 0
+    assert (case.path/"log").read_text().rstrip().endswith("End")
+    goes_on(case)
+
+
+def test_interrupt_leaves_the_last_written_time(case, run):
+    run.send_signal(signal.SIGINT)
+    assert run.wait(60) == -signal.SIGINT
+    assert times(case)[-1] % 50 == 0
+    goes_on(case)
