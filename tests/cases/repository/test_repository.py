@@ -40,3 +40,15 @@ def test_tutorial_has_no_results(tutorial):
         assert inside.parts[0] in (
             "0.orig", "constant", "system", "Allrun", "Allclean",
         ) or inside.suffix in (".py", ".csv")
+
+
+@pytest.mark.parametrize(
+    "tool", ["format", "plotAgglomeration", "renderCloud", "setup"]
+)
+def test_tools_explain_themselves(tool):
+    helped = subprocess.run(
+        [ROOT/"bin"/tool, "--help"],
+        capture_output=True, text=True, check=False,
+    )
+    assert helped.returncode == 0, helped.stderr
+    assert f"Usage: bin/{tool}" in helped.stdout
