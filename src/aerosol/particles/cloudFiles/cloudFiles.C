@@ -5,6 +5,7 @@
 
 #include "cloudFiles.H"
 
+#include "foamVersion.H"
 #include "IOdictionary.H"
 #include "IOField.H"
 #include "ListListOps.H"
@@ -187,13 +188,7 @@ bool Foam::aerosol::cloudFiles::writeState
 
     io.set("particles", size);
 
-    return io.writeObject
-    (
-        IOstream::ASCII,
-        IOstream::currentVersion,
-        IOstream::UNCOMPRESSED,
-        true
-    );
+    return writeObject(io, IOstream::ASCII, IOstream::UNCOMPRESSED, true);
 }
 
 
@@ -397,10 +392,10 @@ void Foam::aerosol::cloudFiles::write
 
     const Time& runTime = mesh_.time();
 
-    bool ok = cloud_->writeObject
+    bool ok = writeObject
     (
+        *cloud_,
         runTime.writeFormat(),
-        IOstream::currentVersion,
         runTime.writeCompression(),
         !mine.empty()
     );
