@@ -22,116 +22,6 @@ namespace aerosol
 }
 
 
-// * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * * //
-
-class Foam::aerosol::timeStepping::path
-{
-        Eigen::Vector3d x0_;
-        Eigen::Vector3d v0_;
-        Eigen::Vector3d x1_;
-        Eigen::Vector3d v1_;
-        double begin_;
-        double length_;
-
-public:
-
-    path
-    (
-        const Eigen::Vector3d& x0,
-        const Eigen::Vector3d& v0,
-        const Eigen::Vector3d& x1,
-        const Eigen::Vector3d& v1,
-        const double begin,
-        const double end
-    )
-    :
-        x0_(x0),
-        v0_(v0),
-        x1_(x1),
-        v1_(v1),
-        begin_(begin),
-        length_(end - begin)
-    {}
-
-    //- Hermite's cubic through the ends
-    Eigen::Vector3d position(const double t) const
-    {
-        if (length_ <= 0)
-        {
-            return x1_;
-        }
-
-        const double s = (t - begin_)/length_;
-        const double q = 1 - s;
-
-        return
-            (1 + 2*s)*q*q*x0_ + s*q*q*length_*v0_
-          + (3 - 2*s)*s*s*x1_ - s*s*q*length_*v1_;
-    }
-
-    //- No less than the speed relative to the other path, at any time: the
-    //  largest of the control points of the derivative, a Bezier curve, where
-    //  both are cubics over the same time, else the sum for both
-    double relativeSpeed(const path& b) const
-    {
-        const auto largest =
-        [](
-            const Eigen::Vector3d& v0,
-            const Eigen::Vector3d& chord,
-            const Eigen::Vector3d& v1
-        )
-        {
-            return
-                std::sqrt
-                (
-                    std::max
-                    ({
-                        v0.squaredNorm(),
-                        (3*chord - v0 - v1).squaredNorm(),
-                        v1.squaredNorm()
-                    })
-                );
-        };
-
-        if (begin_ == b.begin_ && length_ > 0)
-        {
-            return largest
-            (
-                v0_ - b.v0_,
-                (x1_ - x0_ - b.x1_ + b.x0_)/length_,
-                v1_ - b.v1_
-            );
-        }
-
-        const auto own = [&](const path& a)
-        {
-            return
-                a.length_ > 0
-              ? largest(a.v0_, (a.x1_ - a.x0_)/a.length_, a.v1_)
-              : 0.0;
-        };
-
-        return own(*this) + own(b);
-    }
-
-    //- Its derivative
-    Eigen::Vector3d velocity(const double t) const
-    {
-        if (length_ <= 0)
-        {
-            return v1_;
-        }
-
-        const double s = (t - begin_)/length_;
-        const double q = 1 - s;
-
-        return
-            6*s*q/length_*(x1_ - x0_)
-          + q*(1 - 3*s)*v0_ + s*(3*s - 2)*v1_;
-    }
-};
-
-
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
@@ -187,119 +77,6 @@ Foam::aerosol::timeStepping::New
         dict,
         with
     );
-}
-
-
-// * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
-
-double Foam::aerosol::timeStepping::firstOverlap
-(
-    const path& a,
-    const path& b,
-    const Eigen::Vector3d& shift,
-    const double touch,
-    const double first,
-    const double last,
-    const double interval,
-    const bool onlyNew
-)
-{
-    const auto overlaps = [&](const double t)
-    {
-        return
-            (b.position(t) + shift - a.position(t)).squaredNorm()
-         <= touch*touch;
-    };
-
-    bool before = onlyNew && overlaps(first);
-
-    const int nSteps =
-        std::max(1, static_cast<int>(std::lround((last - first)/interval)));
-
-    for (int s = 0; s <= nSteps; ++s)
-    {
-        const double t = first + s*(last - first)/nSteps;
-        const bool now = overlaps(t);
-
-        if (now && !before)
-        {
-            return t;
-        }
-
-        before = now;
-    }
-
-    return GREAT;
-}
-
-
-double Foam::aerosol::timeStepping::firstTouch
-(
-    const path& a,
-    const path& b,
-    const Eigen::Vector3d& shift,
-    const double touch,
-    const double first,
-    const double last,
-    const bool onlyNew
-)
-{
-    // No gap can close faster than this
-    const double speed = std::max(a.relativeSpeed(b), VSMALL);
-
-    const auto gap = [&](const double t)
-    {
-        return (b.position(t) + shift - a.position(t)).norm() - touch;
-    };
-
-    double t = first;
-    double distance = gap(t);
-
-    // Out of an overlap that does not count
-    while (onlyNew && distance <= 0 && t <= last)
-    {
-        t += std::max(-distance, 1e-3*touch)/speed;
-        distance = gap(t);
-    }
-
-    while (t <= last)
-    {
-        if (distance <= 0)
-        {
-            return t;
-        }
-
-        // Very close, the steps become too short: contact is where the gap
-        // closes at its present rate, unless they only graze
-        if (distance < 1e-6*touch)
-        {
-            double contact = t;
-
-            for (int n = 0; n < 3; ++n)
-            {
-                const Eigen::Vector3d r =
-                    b.position(contact) + shift - a.position(contact);
-                const double rate =
-                    (b.velocity(contact) - a.velocity(contact)).dot(r)/r.norm();
-
-                if (rate >= 0)
-                {
-                    break;
-                }
-                contact += (touch - r.norm())/rate;
-            }
-
-            if (contact <= last && gap(contact) <= 1e-12*touch)
-            {
-                return std::max(contact, first);
-            }
-        }
-
-        t += std::max(distance, 1e-6*touch)/speed;
-        distance = gap(t);
-    }
-
-    return GREAT;
 }
 
 
@@ -530,7 +307,7 @@ void Foam::aerosol::timeStepping::collide
     std::vector<double> begin;
     std::vector<int> age;
 
-    const auto pathOf = [&](const int i) -> path
+    const auto pathOf = [&](const int i) -> particlePath
     {
         return
         {
@@ -589,20 +366,20 @@ void Foam::aerosol::timeStepping::collide
             }
         }
 
-        const path pathI = pathOf(i);
-        const path pathJ = pathOf(j);
+        const particlePath pathI = pathOf(i);
+        const particlePath pathJ = pathOf(j);
 
         // Who touched without sticking does so again only after a separation
         const bool onlyNew = with_.contacts.refused(p.id(i), p.id(j));
 
         const double when =
             nCollision > 0
-          ? firstOverlap
+          ? particlePath::firstOverlap
             (
                 pathI, pathJ, shift, touch, first, h, h/nCollision,
                 onlyNew
             )
-          : firstTouch
+          : particlePath::firstTouch
             (
                 pathI, pathJ, shift, touch, first, h,
                 onlyNew
@@ -642,8 +419,8 @@ void Foam::aerosol::timeStepping::collide
         }
 
         const scalar when = found.time;
-        const path pathI = pathOf(i);
-        const path pathJ = pathOf(j);
+        const particlePath pathI = pathOf(i);
+        const particlePath pathJ = pathOf(j);
         const Eigen::Vector3d shift = shiftOf({i, j, found.image});
 
         contactOutcome::encounter encounter;

@@ -1,0 +1,226 @@
+/*---------------------------------------------------------------------------*\
+    acousticDEM: acoustic agglomeration of aerosols
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "particlePath.H"
+#include "scalar.H"
+
+#include <algorithm>
+#include <cmath>
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::aerosol::particlePath::particlePath
+(
+    const Eigen::Vector3d& x0,
+    const Eigen::Vector3d& v0,
+    const Eigen::Vector3d& x1,
+    const Eigen::Vector3d& v1,
+    const double begin,
+    const double end
+)
+:
+    x0_(x0),
+    v0_(v0),
+    x1_(x1),
+    v1_(v1),
+    begin_(begin),
+    length_(end - begin)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Eigen::Vector3d
+Foam::aerosol::particlePath::position(const double t) const
+{
+    if (length_ <= 0)
+    {
+        return x1_;
+    }
+
+    const double s = (t - begin_)/length_;
+    const double q = 1 - s;
+
+    return
+        (1 + 2*s)*q*q*x0_ + s*q*q*length_*v0_
+      + (3 - 2*s)*s*s*x1_ - s*s*q*length_*v1_;
+}
+
+
+Eigen::Vector3d
+Foam::aerosol::particlePath::velocity(const double t) const
+{
+    if (length_ <= 0)
+    {
+        return v1_;
+    }
+
+    const double s = (t - begin_)/length_;
+    const double q = 1 - s;
+
+    return
+        6*s*q/length_*(x1_ - x0_)
+      + q*(1 - 3*s)*v0_ + s*(3*s - 2)*v1_;
+}
+
+
+double
+Foam::aerosol::particlePath::relativeSpeed(const particlePath& b) const
+{
+    const auto largest =
+    [](
+        const Eigen::Vector3d& v0,
+        const Eigen::Vector3d& chord,
+        const Eigen::Vector3d& v1
+    )
+    {
+        return
+            std::sqrt
+            (
+                std::max
+                ({
+                    v0.squaredNorm(),
+                    (3*chord - v0 - v1).squaredNorm(),
+                    v1.squaredNorm()
+                })
+            );
+    };
+
+    if (begin_ == b.begin_ && length_ > 0)
+    {
+        return largest
+        (
+            v0_ - b.v0_,
+            (x1_ - x0_ - b.x1_ + b.x0_)/length_,
+            v1_ - b.v1_
+        );
+    }
+
+    const auto own = [&](const particlePath& a)
+    {
+        return
+            a.length_ > 0
+          ? largest(a.v0_, (a.x1_ - a.x0_)/a.length_, a.v1_)
+          : 0.0;
+    };
+
+    return own(*this) + own(b);
+}
+
+
+// * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
+
+double Foam::aerosol::particlePath::firstOverlap
+(
+    const particlePath& a,
+    const particlePath& b,
+    const Eigen::Vector3d& shift,
+    const double touch,
+    const double first,
+    const double last,
+    const double interval,
+    const bool onlyNew
+)
+{
+    const auto overlaps = [&](const double t)
+    {
+        return
+            (b.position(t) + shift - a.position(t)).squaredNorm()
+         <= touch*touch;
+    };
+
+    bool before = onlyNew && overlaps(first);
+
+    const int nSteps =
+        std::max(1, static_cast<int>(std::lround((last - first)/interval)));
+
+    for (int s = 0; s <= nSteps; ++s)
+    {
+        const double t = first + s*(last - first)/nSteps;
+        const bool now = overlaps(t);
+
+        if (now && !before)
+        {
+            return t;
+        }
+
+        before = now;
+    }
+
+    return GREAT;
+}
+
+
+double Foam::aerosol::particlePath::firstTouch
+(
+    const particlePath& a,
+    const particlePath& b,
+    const Eigen::Vector3d& shift,
+    const double touch,
+    const double first,
+    const double last,
+    const bool onlyNew
+)
+{
+    // No gap can close faster than this
+    const double speed = std::max(a.relativeSpeed(b), VSMALL);
+
+    const auto gap = [&](const double t)
+    {
+        return (b.position(t) + shift - a.position(t)).norm() - touch;
+    };
+
+    double t = first;
+    double distance = gap(t);
+
+    // Out of an overlap that does not count
+    while (onlyNew && distance <= 0 && t <= last)
+    {
+        t += std::max(-distance, 1e-3*touch)/speed;
+        distance = gap(t);
+    }
+
+    while (t <= last)
+    {
+        if (distance <= 0)
+        {
+            return t;
+        }
+
+        // Very close, the steps become too short: contact is where the gap
+        // closes at its present rate, unless they only graze
+        if (distance < 1e-6*touch)
+        {
+            double contact = t;
+
+            for (int n = 0; n < 3; ++n)
+            {
+                const Eigen::Vector3d r =
+                    b.position(contact) + shift - a.position(contact);
+                const double rate =
+                    (b.velocity(contact) - a.velocity(contact)).dot(r)/r.norm();
+
+                if (rate >= 0)
+                {
+                    break;
+                }
+                contact += (touch - r.norm())/rate;
+            }
+
+            if (contact <= last && gap(contact) <= 1e-12*touch)
+            {
+                return std::max(contact, first);
+            }
+        }
+
+        t += std::max(distance, 1e-6*touch)/speed;
+        distance = gap(t);
+    }
+
+    return GREAT;
+}
+
+
+// ************************************************************************* //
