@@ -78,6 +78,14 @@ Foam::aerosol::aerosolCloud::aerosolCloud
         )
     ),
     files_(mesh),
+    reportsContacts_
+    (
+        dict_.subOrEmptyDict("report").lookupOrDefault<Switch>
+        (
+            "contacts",
+            false
+        )
+    ),
     interval_
     (
         readPositive
@@ -96,6 +104,11 @@ Foam::aerosol::aerosolCloud::aerosolCloud
 {
     requireKnownModels();
     cloudFiles::requireExact(mesh_.time());
+
+    if (reportsContacts_)
+    {
+        contacts_.keepRecords();
+    }
 
     checkInside();
     sound_.prepare(domain_->bounds());
@@ -167,7 +180,11 @@ void Foam::aerosol::aerosolCloud::requireKnownModels() const
         }
     }
 
-    requireOnly(dict_.subOrEmptyDict("report"), {"interval", "sizeBins"});
+    requireOnly
+    (
+        dict_.subOrEmptyDict("report"),
+        {"interval", "sizeBins", "contacts"}
+    );
 }
 
 
@@ -424,7 +441,10 @@ void Foam::aerosol::aerosolCloud::begin()
         files_.write(particles_, state());
     }
 
-    tables_.reset(new agglomerationTables(mesh_, sizeBins_));
+    tables_.reset
+    (
+        new agglomerationTables(mesh_, sizeBins_, reportsContacts_)
+    );
     tabulate();
 }
 
@@ -437,6 +457,7 @@ void Foam::aerosol::aerosolCloud::evolve()
 
     checkGrowth();
 
+    tables_->writeContacts(contacts_.takeRecords());
     tabulate();
 }
 

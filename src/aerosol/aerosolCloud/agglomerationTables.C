@@ -8,6 +8,7 @@
 #include "OSspecific.H"
 #include "Time.H"
 #include "checkedEntry.H"
+#include "unitConversion.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -121,12 +122,43 @@ void Foam::aerosol::agglomerationTables::writeSizesHeader(Ostream& os) const
 }
 
 
+void Foam::aerosol::agglomerationTables::writeContactsHeader(Ostream& os) const
+{
+    writeHeader(os, "Contacts, by time");
+    writeHeader(os, "id1, d1   of the survivor; diameters are those before");
+    writeHeader(os, "speed     relative speed of the two");
+    writeHeader
+    (
+        os,
+        "angle     between relative velocity and line of centres; 0: head-on,"
+        " 90: grazing"
+    );
+
+    writeCommented(os, "time[s]");
+
+    for
+    (
+        const char* column :
+        {
+            "id1", "id2", "d1[m]", "d2[m]", "speed[m/s]", "angle[deg]",
+            "outcome"
+        }
+    )
+    {
+        writeTabbed(os, column);
+    }
+
+    os  << endl;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::aerosol::agglomerationTables::agglomerationTables
 (
     const objectRegistry& mesh,
-    const dictionary& sizeBins
+    const dictionary& sizeBins,
+    const bool withContacts
 )
 :
     writeFile(mesh, "aerosol"),
@@ -146,10 +178,19 @@ Foam::aerosol::agglomerationTables::agglomerationTables
     agglomeration_ = newFile("agglomeration");
     sizes_ = newFile("sizeDistribution");
 
+    if (withContacts)
+    {
+        contacts_ = newFile("contacts");
+    }
+
     if (agglomeration_.valid())
     {
         writeAgglomerationHeader(*agglomeration_);
         writeSizesHeader(*sizes_);
+    }
+    if (contacts_.valid())
+    {
+        writeContactsHeader(*contacts_);
     }
 }
 
@@ -249,6 +290,35 @@ void Foam::aerosol::agglomerationTables::writeSizes
         writeCount(os, count);
     }
     os  << endl;
+}
+
+
+void Foam::aerosol::agglomerationTables::writeContacts
+(
+    const std::vector<contacts::record>& met
+)
+{
+    if (!contacts_.valid() || met.empty())
+    {
+        return;
+    }
+
+    Ostream& os = *contacts_;
+
+    for (const contacts::record& contact : met)
+    {
+        os  << setprecision(9) << setw(charWidth()) << contact.time;
+        writeCount(os, contact.id1);
+        writeCount(os, contact.id2);
+        writeNumber(os, contact.d1);
+        writeNumber(os, contact.d2);
+        writeNumber(os, contact.speed);
+        writeNumber(os, radToDeg(contact.angle));
+        writeTabbed(os, contact.merged ? "stick" : "none");
+        os  << nl;
+    }
+
+    os.flush();
 }
 
 

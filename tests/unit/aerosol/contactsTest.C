@@ -464,6 +464,82 @@ TEST(contacts, goOnCountingAfterARestart)
 }
 
 
+TEST(contacts, keepRecordsOnlyIfAskedTo)
+{
+    randomNumbers random(9);
+    particleArrays p = randomParticles(2, random, 10);
+    contacts meetings = make();
+
+    meetings.meet(p, touching(p, 0, 1, vec::Zero(), vec::UnitX()));
+    EXPECT_TRUE(meetings.takeRecords().empty());
+}
+
+
+TEST(contacts, recordWhatHappenedByTime)
+{
+    randomNumbers random(10);
+    particleArrays p = randomParticles(4, random, 10);
+    p.m << 1, 2, 3, 4;
+    const particleArrays before = p;
+
+    contacts meetings = make();
+    meetings.keepRecords();
+
+    // Survivors are 1 and 3; the later contact comes first. Head-on is 0, and
+    // the frame of the pair does not matter
+    const vec wind(3, -5, 7);
+    encounter late = touching(p, 0, 1, vec(0, 0, period), vec::UnitX());
+    late.time = 2;
+    late.vi = wind + vec(0.5, 0, 0);
+    late.vj = wind - vec(1.5, 0, 0);
+
+    encounter early = touching(p, 3, 2, vec::Zero(), vec::UnitY());
+    early.time = 1;
+    early.vi = wind + vec(3, 3, 0);
+    early.vj = wind;
+
+    meetings.meet(p, late);
+    meetings.meet(p, early);
+
+    const std::vector<contacts::record> met = meetings.takeRecords();
+
+    ASSERT_EQ(met.size(), 2u);
+    EXPECT_TRUE(meetings.takeRecords().empty());
+
+    EXPECT_EQ(met[0].time, 1);
+    EXPECT_EQ(met[0].id1, before.id(3));
+    EXPECT_EQ(met[0].id2, before.id(2));
+    EXPECT_EQ(met[0].d1, before.d(3));
+    EXPECT_EQ(met[0].d2, before.d(2));
+    EXPECT_NEAR(met[0].speed, std::sqrt(18), 1e-14);
+    EXPECT_NEAR(met[0].angle, EIGEN_PI/4, 1e-15);
+    EXPECT_TRUE(met[0].merged);
+
+    EXPECT_EQ(met[1].time, 2);
+    EXPECT_EQ(met[1].id1, before.id(1));
+    EXPECT_EQ(met[1].id2, before.id(0));
+    EXPECT_EQ(met[1].d1, before.d(1));
+    EXPECT_EQ(met[1].d2, before.d(0));
+    EXPECT_EQ(met[1].speed, 2);
+    EXPECT_EQ(met[1].angle, 0);
+    EXPECT_TRUE(met[1].merged);
+
+    // Without aggregates, and moving apart
+    contacts passing = make("stick", "none");
+    passing.keepRecords();
+    std::swap(late.vi, late.vj);
+    p = before;
+    passing.meet(p, late);
+
+    const std::vector<contacts::record> passed = passing.takeRecords();
+
+    ASSERT_EQ(passed.size(), 1u);
+    EXPECT_EQ(passed[0].id1, before.id(0));
+    EXPECT_DOUBLE_EQ(passed[0].angle, EIGEN_PI);
+    EXPECT_FALSE(passed[0].merged);
+}
+
+
 TEST(contacts, rejectUnknownNames)
 {
     EXPECT_THROW(make("glue"), IOerror);

@@ -5,6 +5,11 @@
 
 #include "contacts.H"
 
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <tuple>
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::aerosol::contacts::contacts(const dictionary& dict)
@@ -12,8 +17,41 @@ Foam::aerosol::contacts::contacts(const dictionary& dict)
     outcome_(contactOutcome::New(dict.subDict("contact"))),
     aggregate_(aggregate::New(dict.subDict("aggregate"))),
     count_(0),
-    nAbsorbed_(0)
+    nAbsorbed_(0),
+    keepsRecords_(false)
 {}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::aerosol::contacts::keep
+(
+    const particleArrays& p,
+    const contactOutcome::encounter& pair,
+    const bool merged
+)
+{
+    if (!keepsRecords_)
+    {
+        return;
+    }
+
+    const Eigen::Vector3d r = pair.xj - pair.xi;
+    const Eigen::Vector3d v = pair.vi - pair.vj;
+
+    // By atan2, which is exact where contacts are head-on, and 0 at rest
+    records_.push_back
+    ({
+        pair.time,
+        p.id(pair.i),
+        p.id(pair.j),
+        p.d(pair.i),
+        p.d(pair.j),
+        v.norm(),
+        std::atan2(r.cross(v).norm(), r.dot(v)),
+        merged
+    });
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -29,6 +67,7 @@ int Foam::aerosol::contacts::meet
     if (!aggregate_->merges() || !outcome_->sticks(p, pair))
     {
         refused_.insert(std::minmax(p.id(pair.i), p.id(pair.j)));
+        keep(p, pair, false);
         return -1;
     }
 
@@ -48,6 +87,7 @@ int Foam::aerosol::contacts::meet
         pair.shift = -pair.shift;
     }
 
+    keep(p, pair, true);
     aggregate_->merge(p, pair);
 
     absorbed_.resize(p.size(), 0);
@@ -55,6 +95,27 @@ int Foam::aerosol::contacts::meet
     ++nAbsorbed_;
 
     return pair.i;
+}
+
+
+std::vector<Foam::aerosol::contacts::record>
+Foam::aerosol::contacts::takeRecords()
+{
+    std::vector<record> taken;
+    taken.swap(records_);
+
+    std::sort
+    (
+        taken.begin(),
+        taken.end(),
+        [](const record& a, const record& b)
+        {
+            return
+                std::tie(a.time, a.id1, a.id2) < std::tie(b.time, b.id1, b.id2);
+        }
+    );
+
+    return taken;
 }
 
 
