@@ -43,7 +43,8 @@ def test_tutorial_has_no_results(tutorial):
 
 
 @pytest.mark.parametrize(
-    "tool", ["format", "plotAgglomeration", "renderCloud", "setup"]
+    "tool",
+    ["format", "plotAgglomeration", "renderCloud", "collisionKernels", "setup"]
 )
 def test_tools_explain_themselves(tool):
     helped = subprocess.run(

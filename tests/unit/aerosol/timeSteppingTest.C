@@ -963,6 +963,30 @@ TEST_P(eachTimeStepping, countsAContactThatDoesNotStickOnce)
 }
 
 
+TEST_P(eachTimeStepping, leavesThoseAloneThatRestInOneAnother)
+{
+    // Equal and overlapping, they move alike and never part
+    settings law = with("type none;");
+    law.aggregate = "type none;";
+
+    experiment pair
+    (
+        arrays
+        ({
+            {1, 10e-6, 1000, {0, 0, 0}, {1, 0, 0}},
+            {2, 10e-6, 1000, {5e-6, 0, 0}, {1, 0, 0}}
+        }),
+        100e-6,
+        law
+    );
+
+    pair.run(1e-6, 10);
+
+    EXPECT_EQ(pair.count(), 1);
+    EXPECT_EQ(pair.p.size(), 2);
+}
+
+
 TEST_P(eachTimeStepping, movesASingleParticleAndNoneAtAll)
 {
     experiment none(arrays({}), 1e-3, with("type none;"));

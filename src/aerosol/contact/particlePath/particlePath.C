@@ -179,6 +179,12 @@ double Foam::aerosol::particlePath::firstTouch
     while (onlyNew && distance <= 0 && t <= last)
     {
         t += std::max(-distance, 1e-3*touch)/speed;
+
+        // Paths end here; far beyond, their polynomials overflow
+        if (t > last)
+        {
+            return GREAT;
+        }
         distance = gap(t);
     }
 
@@ -216,6 +222,11 @@ double Foam::aerosol::particlePath::firstTouch
         }
 
         t += std::max(distance, 1e-6*touch)/speed;
+
+        if (t > last)
+        {
+            break;
+        }
         distance = gap(t);
     }
 
