@@ -276,8 +276,8 @@ particleArrays stepped
 TEST(eventDriven, findsTheFirstContactsOfBruteForce)
 {
     // Of second order in h: half the step, a quarter of the error of the time,
-    // here with 15 % to spare for the spread of the medians. In a crowd as dense
-    // as this, one set in ten may find another pair first, as where one grazes;
+    // here with 15 % to spare for the spread of the medians. In a crowd this
+    // dense one set in ten may find another pair first, as where one grazes;
     // that is not looked into. There is no bound on the error itself: it is
     // some percent of a step here, where wakes rule.
     std::vector<double> medians;
