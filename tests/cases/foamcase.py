@@ -19,7 +19,11 @@ class FoamCase:
         shutil.copytree(
             ROOT/"tutorials"/tutorial,
             self.path,
-            ignore=shutil.ignore_patterns("log.*", "[1-9]*", "postProcessing"),
+            # Not what a run has left there; 0.orig is wanted
+            ignore=shutil.ignore_patterns(
+                "log.*", "0", "0.[0-9]*", "[1-9]*", "postProcessing",
+                "processor*", "*.png",
+            ),
         )
         if (self.path/"0.orig").is_dir():
             shutil.copytree(
