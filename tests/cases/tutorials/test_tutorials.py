@@ -95,7 +95,11 @@ def test_one_file_describes_the_chamber(tmp_path):
         return case.run("foamDictionary", file, "-entry", entry, "-value")
 
     for file in sorted(case.path.rglob("*")):
-        if file.is_file() and file.name not in ("chamber", "log.foamDictionary"):
+        if (
+            file.is_file()
+            and file.name not in ("chamber", "log.foamDictionary")
+            and "polyMesh" not in file.parts
+        ):
             assert not re.search(r"\b(1400|147)\b", file.read_text()), file
 
     # 200 Pa rms, u0 = sqrt(2) p/(rho c); the piston sees |sin(k L)| of it
