@@ -3,20 +3,17 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "wake.H"
+#include "wakeTools.H"
 #include "error.H"
-#include "IStringStream.H"
 
 #include <gtest/gtest.h>
 
 #include <cfenv>
 #include <cmath>
-#include <random>
 
 using namespace Foam;
 using namespace Foam::aerosol;
-
-using acoustics::gasProperties;
+using namespace Foam::aerosol::testTools;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -25,63 +22,9 @@ namespace
 
 const double pi = EIGEN_PI;
 
-using vec = Eigen::Vector3d;
-using longVec = Eigen::Matrix<long double, 3, 1>;
-
-autoPtr<wake> make(const std::string& text)
-{
-    return wake::New(dictionary(IStringStream(text)()));
-}
-
-
-struct source
-{
-    vec r;
-    vec slip;
-    double radius;
-};
-
-
-//- By the code, in full and in partly filled blocks
 std::vector<vec> disturbances(const std::vector<source>& sources)
 {
-    const auto Oseen = make("type Oseen; range 20;");
-    const gasProperties gas = gasProperties::air();
-
-    std::vector<vec> result;
-    wake::block block;
-
-    for (std::size_t first = 0; first < sources.size();)
-    {
-        const int n = static_cast<int>
-        (
-            std::min<std::size_t>(wake::blockSize, sources.size() - first)
-        );
-
-        for (int b = 0; b < wake::blockSize; ++b)
-        {
-            for (int k = 0; k < 3; ++k)
-            {
-                block.r[k](b) = b < n ? sources[first + b].r(k) : 1;
-                block.slip[k](b) = b < n ? sources[first + b].slip(k) : 0;
-            }
-            block.radius(b) = b < n ? sources[first + b].radius : 1;
-        }
-
-        Oseen->evaluate(block, gas);
-
-        for (int b = 0; b < n; ++b)
-        {
-            result.push_back
-            ({
-                block.velocity[0](b), block.velocity[1](b), block.velocity[2](b)
-            });
-        }
-
-        first += n;
-    }
-
-    return result;
+    return disturbances("Oseen", sources);
 }
 
 
@@ -130,38 +73,6 @@ vec polarForm(const source& s)
 
     return v.cast<double>();
 }
-
-
-class randomNumbers
-{
-    std::mt19937_64 engine_;
-
-public:
-
-    explicit randomNumbers(const int seed)
-    :
-        engine_(seed)
-    {}
-
-    double uniform(const double low, const double high)
-    {
-        return low + (high - low)*std::ldexp(double(engine_() >> 11), -53);
-    }
-
-    double logUniform(const double low, const double high)
-    {
-        return std::exp(uniform(std::log(low), std::log(high)));
-    }
-
-    vec direction()
-    {
-        const double z = uniform(-1, 1);
-        const double phi = uniform(0, 2*pi);
-        const double s = std::sqrt(1 - z*z);
-
-        return {s*std::cos(phi), s*std::sin(phi), z};
-    }
-};
 
 
 //- How fast two identical spheres with the same slip part, relative to U

@@ -3,94 +3,34 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "wake.H"
+#include "wakeTools.H"
 #include "error.H"
-#include "IStringStream.H"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cfenv>
 #include <cmath>
-#include <random>
 
 using namespace Foam;
 using namespace Foam::aerosol;
-
-using acoustics::gasProperties;
+using namespace Foam::aerosol::testTools;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
 {
 
-using vec = Eigen::Vector3d;
 using mat = Eigen::Matrix3d;
-using longVec = Eigen::Matrix<long double, 3, 1>;
 
 const double nu = gasProperties::air().nu();
 
 //- Radius of the source [m]
 const double a = 4e-6;
 
-autoPtr<wake> make(const std::string& text)
+std::vector<vec> disturbances(const std::vector<source>& sources)
 {
-    return wake::New(dictionary(IStringStream(text)()));
-}
-
-
-struct source
-{
-    vec r;
-    vec slip;
-    double radius;
-};
-
-
-//- By the code, in full and in partly filled blocks
-std::vector<vec> disturbances
-(
-    const std::vector<source>& sources,
-    const char* type = "ProudmanPearson"
-)
-{
-    const auto model = make(std::string("range 20; type ") + type + ';');
-    const gasProperties gas = gasProperties::air();
-
-    std::vector<vec> result;
-    wake::block block;
-
-    for (std::size_t first = 0; first < sources.size();)
-    {
-        const int n = static_cast<int>
-        (
-            std::min<std::size_t>(wake::blockSize, sources.size() - first)
-        );
-
-        for (int b = 0; b < wake::blockSize; ++b)
-        {
-            for (int k = 0; k < 3; ++k)
-            {
-                block.r[k](b) = b < n ? sources[first + b].r(k) : 1;
-                block.slip[k](b) = b < n ? sources[first + b].slip(k) : 0;
-            }
-            block.radius(b) = b < n ? sources[first + b].radius : 1;
-        }
-
-        model->evaluate(block, gas);
-
-        for (int b = 0; b < n; ++b)
-        {
-            result.push_back
-            ({
-                block.velocity[0](b), block.velocity[1](b), block.velocity[2](b)
-            });
-        }
-
-        first += n;
-    }
-
-    return result;
+    return disturbances("ProudmanPearson", sources);
 }
 
 
@@ -159,38 +99,6 @@ vec polarForm(const source& s)
 
     return v.cast<double>();
 }
-
-
-class randomNumbers
-{
-    std::mt19937_64 engine_;
-
-public:
-
-    explicit randomNumbers(const int seed)
-    :
-        engine_(seed)
-    {}
-
-    double uniform(const double low, const double high)
-    {
-        return low + (high - low)*std::ldexp(double(engine_() >> 11), -53);
-    }
-
-    double logUniform(const double low, const double high)
-    {
-        return std::exp(uniform(std::log(low), std::log(high)));
-    }
-
-    vec direction()
-    {
-        const double z = uniform(-1, 1);
-        const double phi = uniform(0, 2*double(EIGEN_PI));
-        const double s = std::sqrt(1 - z*z);
-
-        return {s*std::cos(phi), s*std::sin(phi), z};
-    }
-};
 
 
 //- Derivative of a field along h, by central differences of fourth order
@@ -484,7 +392,7 @@ TEST(ProudmanPearsonWake, isOseensFlowFromFiveRadiiOn)
         }
 
         const std::vector<vec> v = disturbances(sources);
-        const std::vector<vec> Oseen = disturbances(sources, "Oseen");
+        const std::vector<vec> Oseen = disturbances("Oseen", sources);
 
         for (std::size_t n = 0; n < sources.size(); ++n)
         {

@@ -3,89 +3,30 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "addToRunTimeSelectionTable.H"
-#include "error.H"
-#include "IStringStream.H"
-#include "periodicBox.H"
-#include "timeStepping.H"
+#include "timeSteppingTools.H"
 
 #include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <random>
 
-namespace Foam
-{
-namespace aerosol
-{
-
-struct firstContact
-{
-    std::pair<std::int64_t, std::int64_t> ids;
-    double time;
-    Eigen::Vector3d place;
-};
-
-static std::vector<firstContact> found;
-
-//- Sticks, and keeps a record
-class bruteForceStick
-:
-    public contactOutcome
-{
-public:
-
-    TypeName("bruteForceStick");
-
-    explicit bruteForceStick(const dictionary&)
-    {}
-
-    bool sticks(const particleArrays& p, const encounter& e) const override
-    {
-        found.push_back
-        ({
-            std::minmax(p.id(e.i), p.id(e.j)), e.time, 0.5*(e.xi + e.xj)
-        });
-        return true;
-    }
-};
-
-defineTypeNameAndDebug(bruteForceStick, 0);
-addToRunTimeSelectionTable(contactOutcome, bruteForceStick, dictionary);
-
-} // End namespace aerosol
-} // End namespace Foam
-
 using namespace Foam;
 using namespace Foam::aerosol;
+using namespace Foam::aerosol::testTools;
 
 namespace
 {
 
-using vec = Eigen::Vector3d;
-const double pi = EIGEN_PI;
 const double pitch = 1400;
 const double period = 1/pitch;
 const double amplitude = 1.2;
 const double density = 2000;
 
-class swinging
-:
-    public acoustics::soundField
+struct firstContact
 {
-    const gasProperties gas_ = gasProperties::air();
-
-public:
-
-    swinging() : soundField(pitch) {}
-    const gasProperties& gas() const override { return gas_; }
-    scalar velocityAmplitude() const override { return amplitude; }
-    void advance() override {}
-    void velocity(const scalar t, const vectors& x, vectors& u) const override
-    {
-        u = (amplitude*std::sin(2*pi*pitch*t)*vec::UnitX())
-           .replicate(1, x.cols());
-    }
+    std::pair<std::int64_t, std::int64_t> ids;
+    double time;
 };
 
 //- A cluster in a box so large that no image matters, at gas velocity
@@ -224,50 +165,28 @@ firstContact reference(particleArrays p, const double end, const int steps)
                 (gap(next) <= 0 ? high : low) = 0.5*(low + high);
             }
             gap(next);
-            return
-            {
-                {bi, bj}, s*h + high,
-                0.5*(next.x.col(bi) + next.x.col(bj))
-            };
+            return {{bi, bj}, s*h + high};
         }
         p = next;
     }
-    return {{-1, -1}, end, {}};
+    return {{-1, -1}, end};
 }
 
-dictionary parse(const std::string& text)
-{
-    return dictionary(IStringStream(text)());
-}
-
-//- By the code
-particleArrays stepped
+//- By the code: the contacts are in `meetings`
+void step
 (
-    particleArrays p, const std::string& type, const double end,
+    const particleArrays& p, const std::string& type, const double end,
     const int perPeriod
 )
 {
-    const dictionary laws = parse
-    (
-        "drag {type Stokes; slipCorrection Cunningham;}"
-        "gravity {type uniform; value (0 -9.81 0);}"
-        "wake {type Oseen; range 400;} contact {type bruteForceStick;}"
-        "aggregate {type equivalentSphere;}"
-    );
-    swinging sound;
-    periodicBox box(parse("centre (0 0 0); length 0.02;"));
-    equationOfMotion motion(laws, sound.gas(), box.period());
-    contacts meetings(laws);
-    auto stepping =
-        timeStepping::New(parse(type), {sound, box, motion, meetings});
+    settings s;
+    s.stepping = type;
+    s.drag = "type Stokes; slipCorrection Cunningham;";
+    s.gravity = "type uniform; value (0 -9.81 0);";
+    s.wake = "type Oseen; range 400;";
 
-    found.clear();
-    const int n = std::lround(end*perPeriod/period);
-    for (int s = 0; s < n; ++s)
-    {
-        stepping->advance(p, s*period/perPeriod, period/perPeriod);
-    }
-    return p;
+    experiment box(p, 0.02, s, pitch, {amplitude, 0, 0});
+    box.run(period/perPeriod, std::lround(end*perPeriod/period));
 }
 
 } // End anonymous namespace
@@ -296,10 +215,10 @@ TEST(eventDriven, findsTheFirstContactsOfBruteForce)
                 continue;
             }
             ++sets;
-            stepped(p, "type eventDriven;", 0.28*period, n);
-            if (found.size() && found[0].ids == r.ids)
+            step(p, eventDriven, 0.28*period, n);
+            if (meetings.size() && meetings[0].pair() == r.ids)
             {
-                late.push_back(std::abs(found[0].time - r.time)*n/period);
+                late.push_back(std::abs(meetings[0].time - r.time)*n/period);
             }
         }
 

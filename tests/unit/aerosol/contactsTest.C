@@ -6,16 +6,17 @@
 #include "contacts.H"
 #include "error.H"
 #include "IStringStream.H"
+#include "randomNumbers.H"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numeric>
-#include <random>
 
 using namespace Foam;
 using namespace Foam::aerosol;
 
+using testTools::randomNumbers;
 using encounter = Foam::aerosol::contactOutcome::encounter;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -45,39 +46,6 @@ contacts make
         )
     );
 }
-
-
-class randomNumbers
-{
-    std::mt19937_64 engine_;
-
-public:
-
-    explicit randomNumbers(const int seed)
-    :
-        engine_(seed)
-    {}
-
-    double uniform(const double low, const double high)
-    {
-        return low + (high - low)*std::ldexp(double(engine_() >> 11), -53);
-    }
-
-    vec point(const double extent)
-    {
-        return
-        {
-            uniform(-extent, extent),
-            uniform(-extent, extent),
-            uniform(-extent, extent)
-        };
-    }
-
-    int whole(const int end)
-    {
-        return static_cast<int>(engine_() % end);
-    }
-};
 
 
 //- Particles with random positions, velocities, diameters and densities
