@@ -5,6 +5,7 @@
 
 #include "progressReport.H"
 #include "checkedEntry.H"
+#include "Pstream.H"
 #include "Time.H"
 
 #include <sstream>
@@ -51,9 +52,14 @@ Foam::progressReport::progressReport(const Time& time)
 
 bool Foam::progressReport::due() const
 {
-    return
+    bool now =
         time_.elapsedClockTime() >= lastClock_ + interval_
      || time_.value() > time_.endTime().value() - 0.5*time_.deltaTValue();
+
+    // The clocks of the ranks differ
+    Pstream::scatter(now);
+
+    return now;
 }
 
 

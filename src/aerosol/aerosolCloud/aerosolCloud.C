@@ -67,6 +67,7 @@ Foam::aerosol::aerosolCloud::aerosolCloud
     dict_(propertiesIO(mesh)),
     sound_(sound),
     domain_(domain::New(dict_.subDict("domain"))),
+    bricks_(*domain_),
     motion_(dict_, sound.gas(), domain_->period()),
     contacts_(dict_),
     timeStepping_
@@ -131,6 +132,9 @@ Foam::aerosol::aerosolCloud::aerosolCloud
     checkSound();
 
     Info<< summary().c_str() << nl << endl;
+
+    // Up to here every rank has all of them
+    bricks_.keepOwn(particles_);
 }
 
 
@@ -306,7 +310,7 @@ void Foam::aerosol::aerosolCloud::checkRanges() const
     };
 
     requireRange("range of contact", particles_.d.maxCoeff());
-    requireRange("range of the wakes", motion_.wakeRange().maxCoeff());
+    requireRange("range of the wakes", particles_.range.maxCoeff());
 }
 
 
@@ -323,7 +327,7 @@ void Foam::aerosol::aerosolCloud::checkSound() const
 
     // Those that are carried along best and least move relative to each other
     const scalar omega = constant::mathematical::twoPi*sound_.frequency();
-    const scalars tau = motion_.relaxationTime();
+    const scalars tau = motion_.relaxationTime(particles_);
     const scalar s1 = min(omega*tau.minCoeff(), 1e8);
     const scalar s2 = min(omega*tau.maxCoeff(), 1e8);
     const scalar u12 =
@@ -360,14 +364,14 @@ void Foam::aerosol::aerosolCloud::checkSound() const
 
 void Foam::aerosol::aerosolCloud::checkGrowth()
 {
-    const scalar range = motion_.wakeRange().maxCoeff();
+    const scalar range =
+        bricks::max(particles_.size() ? particles_.range.maxCoeff() : 0.0);
 
     if (!outgrown_ && 2*range > domain_->bounds().minDim())
     {
         WarningInFunction
             << "At time " << mesh_.time().timeName() << " the largest aggregate"
-            << " has a diameter of " << particles_.d.maxCoeff()
-            << " m; twice the range of its wake, " << range
+            << " has grown so far that twice the range of its wake, " << range
             << " m, exceeds the shortest edge of the domain: its neighbours"
             << " feel it together with its periodic images from now on" << endl;
 
@@ -395,10 +399,12 @@ void Foam::aerosol::aerosolCloud::tabulate()
 
     if (first || end || now > nextRow_ - 0.5*runTime.deltaTValue())
     {
+        const particleArrays all = bricks::gather(particles_);
+
         tables_->writeRow
         (
             now,
-            aerosolStatistics(particles_),
+            aerosolStatistics(all),
             N0_,
             N0PM25_,
             domain_->volume(),
@@ -411,7 +417,7 @@ void Foam::aerosol::aerosolCloud::tabulate()
 
     if (first || end)
     {
-        tables_->writeSizes(now, particles_.d);
+        tables_->writeSizes(now, bricks::gather(particles_).d);
     }
 }
 
@@ -438,7 +444,7 @@ void Foam::aerosol::aerosolCloud::begin()
     if (isNew_)
     {
         // ParaView finds a cloud only if it is there from the first time on
-        files_.write(particles_, state());
+        files_.write(bricks::gather(particles_), state());
     }
 
     tables_.reset
@@ -454,6 +460,7 @@ void Foam::aerosol::aerosolCloud::evolve()
     const scalar h = mesh_.time().deltaTValue();
 
     timeStepping_->advance(particles_, mesh_.time().value() - h, h);
+    bricks_.settle(particles_);
 
     checkGrowth();
 
@@ -481,9 +488,11 @@ std::string Foam::aerosol::aerosolCloud::progress() const
 {
     std::ostringstream os;
 
-    os  << particles_.size() << " of " << N0_
+    const scalar left = bricks::sum(particles_.size());
+
+    os  << left << " of " << N0_
         << " particles left, agglomeration efficiency "
-        << 100*(1 - scalar(particles_.size())/N0_) << " %, "
+        << 100*(1 - left/N0_) << " %, "
         << contacts_.count() << " contacts";
 
     return os.str();
@@ -493,15 +502,32 @@ std::string Foam::aerosol::aerosolCloud::progress() const
 std::string Foam::aerosol::aerosolCloud::effort() const
 {
     const timeStepping::effort& done = timeStepping_->done();
-    const scalar n = max(scalar(done.fluidSteps), scalar(1));
+
+    const scalar n = max(done.fluidSteps, 1.0);
+    const scalar moved = bricks::sum(done.particleMoves);
+    const scalar members = bricks::sum(done.groupMembers);
 
     std::ostringstream os;
 
-    os  << "Per fluid step: "
-        << done.particleSteps/n << " particle steps, "
-        << done.collisionSteps/n << " collision steps, "
-        << done.wakePairs/n << " wake pairs, "
-        << done.contactPairs/n << " contact pairs";
+    os  << "Per fluid step: " << done.particleSteps/n
+        << " particle steps of " << moved/max(done.particleSteps, 1.0)
+        << " particles";
+
+    if (done.collisionSteps > 0)
+    {
+        os  << ", " << done.collisionSteps/n << " collision steps of "
+            << bricks::sum(done.collisionPairs)/max(done.particleSteps, 1.0)
+            << " pairs that may meet";
+    }
+
+    if (members > 0)
+    {
+        os  << ", " << members/n << " particles in close company with "
+            << bricks::sum(done.groupMoves)/members << " steps each";
+    }
+
+    os  << ", " << bricks::sum(done.wakePairs)/n << " wake pairs, "
+        << bricks::sum(done.contactPairs)/n << " contact pairs";
 
     return os.str();
 }
@@ -509,7 +535,7 @@ std::string Foam::aerosol::aerosolCloud::effort() const
 
 bool Foam::aerosol::aerosolCloud::writeObject(WRITE_OBJECT_ARGUMENTS) const
 {
-    files_.write(particles_, state());
+    files_.write(bricks::gather(particles_), state());
 
     return true;
 }

@@ -5,6 +5,29 @@
 
 #include "particleArrays.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+std::vector<int> unmarked(const std::vector<char>& marked)
+{
+    std::vector<int> kept;
+
+    for (std::size_t i = 0; i < marked.size(); ++i)
+    {
+        if (!marked[i])
+        {
+            kept.push_back(static_cast<int>(i));
+        }
+    }
+
+    return kept;
+}
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::aerosol::particleArrays::resize(const int n)
@@ -15,6 +38,18 @@ void Foam::aerosol::particleArrays::resize(const int n)
     d.resize(n);
     m.resize(n);
     primaries.resize(n);
+
+    rate.resize(0);
+    acceleration.resize(3, 0);
+    range.resize(0);
+}
+
+
+void Foam::aerosol::particleArrays::resizeLaws()
+{
+    rate.resize(size());
+    acceleration.resize(3, size());
+    range.resize(size());
 }
 
 
@@ -24,36 +59,75 @@ double Foam::aerosol::particleArrays::volume(const int i) const
 }
 
 
-void Foam::aerosol::particleArrays::remove(const std::vector<char>& marked)
+void Foam::aerosol::particleArrays::pack(const int i, double* numbers) const
 {
-    int n = 0;
+    // Whole numbers are exact up to 2^53
+    numbers[0] = static_cast<double>(id(i));
+    numbers[1] = static_cast<double>(primaries(i));
+    numbers[2] = d(i);
+    numbers[3] = m(i);
+    Eigen::Map<Eigen::Vector3d>(numbers + 4) = x.col(i);
+    Eigen::Map<Eigen::Vector3d>(numbers + 7) = v.col(i);
+    numbers[10] = rate(i);
+    numbers[11] = range(i);
+    Eigen::Map<Eigen::Vector3d>(numbers + 12) = acceleration.col(i);
+}
 
-    for (int i = 0; i < size(); ++i)
+
+void Foam::aerosol::particleArrays::unpack(const int i, const double* numbers)
+{
+    id(i) = static_cast<std::int64_t>(numbers[0]);
+    primaries(i) = static_cast<std::int64_t>(numbers[1]);
+    d(i) = numbers[2];
+    m(i) = numbers[3];
+    x.col(i) = Eigen::Map<const Eigen::Vector3d>(numbers + 4);
+    v.col(i) = Eigen::Map<const Eigen::Vector3d>(numbers + 7);
+    rate(i) = numbers[10];
+    range(i) = numbers[11];
+    acceleration.col(i) = Eigen::Map<const Eigen::Vector3d>(numbers + 12);
+}
+
+
+Foam::aerosol::particleArrays Foam::aerosol::particleArrays::select
+(
+    const std::vector<int>& indices
+) const
+{
+    particleArrays chosen;
+
+    chosen.id = id(indices);
+    chosen.x = x(Eigen::all, indices);
+    chosen.v = v(Eigen::all, indices);
+    chosen.d = d(indices);
+    chosen.m = m(indices);
+    chosen.primaries = primaries(indices);
+
+    if (refreshed())
     {
-        if (marked[i])
-        {
-            continue;
-        }
-
-        if (n != i)
-        {
-            id(n) = id(i);
-            x.col(n) = x.col(i);
-            v.col(n) = v.col(i);
-            d(n) = d(i);
-            m(n) = m(i);
-            primaries(n) = primaries(i);
-        }
-
-        ++n;
+        chosen.rate = rate(indices);
+        chosen.acceleration = acceleration(Eigen::all, indices);
+        chosen.range = range(indices);
     }
 
-    id.conservativeResize(n);
-    x.conservativeResize(3, n);
-    v.conservativeResize(3, n);
-    d.conservativeResize(n);
-    m.conservativeResize(n);
-    primaries.conservativeResize(n);
+    return chosen;
+}
+
+
+void Foam::aerosol::particleArrays::remove(const std::vector<char>& marked)
+{
+    *this = select(unmarked(marked));
+}
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::aerosol::removeColumns
+(
+    vectors& v,
+    const std::vector<char>& marked
+)
+{
+    v = vectors(v(Eigen::all, unmarked(marked)));
 }
 
 

@@ -116,7 +116,7 @@ double settledSpeed
     particleArrays p = spheres({d}, density);
     motion.refresh(p);
 
-    const double h = 0.02*motion.relaxationTime()(0);
+    const double h = 0.02*motion.relaxationTime(p)(0);
     const vectors still = vectors::Zero(3, 1);
     equationOfMotion::state end;
 
@@ -204,7 +204,7 @@ TEST(drag, hasTheFactorsOfItsLaws)
 
 TEST(drag, noneIsNothing)
 {
-    const particleArrays p = spheres({1e-6, 1e-4}, 1000);
+    particleArrays p = spheres({1e-6, 1e-4}, 1000);
     const auto none = make("none");
 
     EXPECT_TRUE((none->StokesRate(p, gasProperties::air()) == 0).all());

@@ -6,6 +6,7 @@
 #include "equationOfMotion.H"
 #include "IStringStream.H"
 #include "periodicBox.H"
+#include "periodicPairs.H"
 
 #include <gtest/gtest.h>
 
@@ -654,8 +655,8 @@ TEST(equationOfMotion, cutsWakesOffAtTheirRange)
     particleArrays p = spheres({8e-6, 2e-6}, 2000);
     motion.refresh(p);
 
-    EXPECT_NEAR(motion.wakeRange()(0), 80e-6, 1e-18);
-    EXPECT_NEAR(motion.wakeRange()(1), 20e-6, 1e-18);
+    EXPECT_NEAR(p.range(0), 80e-6, 1e-18);
+    EXPECT_NEAR(p.range(1), 20e-6, 1e-18);
 
     const vectors still = vectors::Zero(3, 2);
     p.v.setConstant(0.1);
@@ -716,11 +717,8 @@ TEST(equationOfMotion, sumsTheWakesOfAllImages)
 
     motion.refresh(p);
 
-    searchGrid grid(box);
-    grid.build(p.x, motion.wakeRange());
-
-    std::vector<particlePair> pairs;
-    grid.acting(pairs);
+    const std::vector<particlePair> pairs =
+        testTools::actingPairs(box, p.x, p.range);
 
     EXPECT_GT(pairs.size(), 500u);
 
@@ -772,8 +770,8 @@ TEST(equationOfMotion, ignoresItsWakesWithoutAny)
     motion.refresh(p);
 
     EXPECT_FALSE(motion.hasWakes());
-    EXPECT_TRUE((motion.wakeRange() == 0).all());
-    EXPECT_TRUE((motion.gain(1) == 0).all());
+    EXPECT_TRUE((p.range == 0).all());
+    EXPECT_TRUE((motion.gain(p, 1) == 0).all());
 
     vectors w;
     motion.wakes(p, everyPair(2), p.x, p.v, vectors::Ones(3, 2), w);
@@ -838,7 +836,7 @@ TEST(equationOfMotion, movesAMergedParticleOnExactly)
     }
 
     // From now on it relaxes as its new size says
-    EXPECT_NEAR(motion.relaxationTime()(1)*k, 1, 1e-14);
+    EXPECT_NEAR(motion.relaxationTime(p)(1)*k, 1, 1e-14);
 }
 
 

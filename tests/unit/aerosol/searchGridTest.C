@@ -5,7 +5,7 @@
 
 #include "counterRandom.H"
 #include "periodicBox.H"
-#include "searchGrid.H"
+#include "periodicPairs.H"
 #include "IStringStream.H"
 
 #include <gtest/gtest.h>
@@ -104,15 +104,9 @@ void compare
     const scalars& reach
 )
 {
-    searchGrid grid(box);
-    grid.build(x, reach);
-
-    std::vector<particlePair> pairs;
-
-    grid.touching(pairs);
     EXPECT_EQ
     (
-        keys(pairs, false),
+        keys(searchGrid::touching(box, x, reach), false),
         bruteForce
         (
             x, box.period(), false,
@@ -120,10 +114,9 @@ void compare
         )
     );
 
-    grid.acting(pairs);
     EXPECT_EQ
     (
-        keys(pairs, true),
+        keys(testTools::actingPairs(box, x, reach), true),
         bruteForce
         (
             x, box.period(), true,
@@ -233,11 +226,8 @@ TEST(searchGrid, findsPairsAcrossACorner)
          lower.y() + 1e-3, upper.y() - 1e-3,
          lower.z() + 1e-3, upper.z() - 1e-3;
 
-    searchGrid grid(box);
-    grid.build(x, scalars::Constant(2, 2e-3));
-
-    std::vector<particlePair> pairs;
-    grid.touching(pairs);
+    const std::vector<particlePair> pairs =
+        searchGrid::touching(box, x, scalars::Constant(2, 2e-3));
 
     ASSERT_EQ(pairs.size(), 1u);
     EXPECT_EQ(key(pairs[0], false), pairKey(0, 1, -1, -1, -1));
@@ -269,14 +259,10 @@ TEST(searchGrid, ignoresWhatHasNoReach)
 TEST(searchGrid, acceptsNoParticles)
 {
     const periodicBox box = makeBox("1");
-    searchGrid grid(box);
-    std::vector<particlePair> pairs(3);
 
-    grid.build(vectors(3, 0), scalars(0));
-    grid.touching(pairs);
-    EXPECT_TRUE(pairs.empty());
-    grid.acting(pairs);
-    EXPECT_TRUE(pairs.empty());
+    const vectors x(3, 0);
+    EXPECT_TRUE(searchGrid::touching(box, x, scalars(0)).empty());
+    EXPECT_TRUE(testTools::actingPairs(box, x, scalars(0)).empty());
 }
 
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "contacts.H"
+#include "bricks.H"
 
 #include <Eigen/Geometry>
 
@@ -16,6 +17,7 @@ Foam::aerosol::contacts::contacts(const dictionary& dict)
 :
     outcome_(contactOutcome::New(dict.subDict("contact"))),
     aggregate_(aggregate::New(dict.subDict("aggregate"))),
+    before_(0),
     count_(0),
     nAbsorbed_(0),
     keepsRecords_(false)
@@ -67,6 +69,8 @@ int Foam::aerosol::contacts::meet
     if (!aggregate_->merges() || !outcome_->sticks(p, pair))
     {
         refused_.insert(std::minmax(p.id(pair.i), p.id(pair.j)));
+        newlyRefused_.push_back(p.id(pair.i));
+        newlyRefused_.push_back(p.id(pair.j));
         keep(p, pair, false);
         return -1;
     }
@@ -98,11 +102,59 @@ int Foam::aerosol::contacts::meet
 }
 
 
+std::int64_t Foam::aerosol::contacts::count() const
+{
+    return before_ + static_cast<std::int64_t>(bricks::sum(count_));
+}
+
+
 std::vector<Foam::aerosol::contacts::record>
 Foam::aerosol::contacts::takeRecords()
 {
+    if (!keepsRecords_)
+    {
+        return {};
+    }
+
+    constexpr int length = 8;
+
+    List<double> mine(length*records_.size());
+    double* to = mine.data();
+
+    for (const record& r : records_)
+    {
+        for
+        (
+            const double value :
+            {
+                r.time, double(r.id1), double(r.id2), r.d1, r.d2, r.speed,
+                r.angle, double(r.merged)
+            }
+        )
+        {
+            *to++ = value;
+        }
+    }
+    records_.clear();
+
     std::vector<record> taken;
-    taken.swap(records_);
+
+    for
+    (
+        const List<double>& part :
+        bricks::exchange(List<List<double>>(bricks::nRanks(), mine))
+    )
+    {
+        for (label k = 0; k < part.size(); k += length)
+        {
+            taken.push_back
+            ({
+                part[k], std::int64_t(part[k + 1]), std::int64_t(part[k + 2]),
+                part[k + 3], part[k + 4], part[k + 5], part[k + 6],
+                part[k + 7] > 0
+            });
+        }
+    }
 
     std::sort
     (
@@ -119,6 +171,34 @@ Foam::aerosol::contacts::takeRecords()
 }
 
 
+void Foam::aerosol::contacts::share()
+{
+    if (bricks::max(newlyRefused_.size()) == 0)
+    {
+        return;
+    }
+
+    List<double> mine(newlyRefused_.size());
+    std::copy(newlyRefused_.begin(), newlyRefused_.end(), mine.begin());
+    newlyRefused_.clear();
+
+    for
+    (
+        const List<double>& part :
+        bricks::exchange(List<List<double>>(bricks::nRanks(), mine))
+    )
+    {
+        for (label k = 0; k < part.size(); k += 2)
+        {
+            refused_.insert
+            (
+                std::minmax(std::int64_t(part[k]), std::int64_t(part[k + 1]))
+            );
+        }
+    }
+}
+
+
 std::vector<char> Foam::aerosol::contacts::takeAbsorbed(const int n)
 {
     std::vector<char> marks;
@@ -127,15 +207,6 @@ std::vector<char> Foam::aerosol::contacts::takeAbsorbed(const int n)
     nAbsorbed_ = 0;
 
     return marks;
-}
-
-
-void Foam::aerosol::contacts::sweep(particleArrays& p)
-{
-    if (nAbsorbed_)
-    {
-        p.remove(takeAbsorbed(p.size()));
-    }
 }
 
 

@@ -66,6 +66,35 @@ Foam::aerosol::particlePath::velocity(const double t) const
 }
 
 
+Foam::aerosol::particlePath
+Foam::aerosol::particlePath::moved(const Eigen::Vector3d& shift) const
+{
+    return
+    {
+        x0_ + shift, v0_, x1_ + shift, v1_, begin_, begin_ + length_
+    };
+}
+
+
+bool Foam::aerosol::particlePath::staysAwayFrom
+(
+    const particlePath& b,
+    const double distance
+) const
+{
+    const Eigen::Vector3d r0 = b.x0_ - x0_;
+    const Eigen::Vector3d r1 = b.x1_ - x1_;
+    const Eigen::Vector3d v0 = b.v0_ - v0_;
+    const Eigen::Vector3d v1 = b.v1_ - v1_;
+
+    // Hermite's cubic is no further from an end than this
+    const double way =
+        (r1 - r0).norm() + 4.0/27.0*length_*(v0.norm() + v1.norm());
+
+    return std::max(r0.norm(), r1.norm()) > distance + way;
+}
+
+
 double
 Foam::aerosol::particlePath::relativeSpeed(const particlePath& b) const
 {

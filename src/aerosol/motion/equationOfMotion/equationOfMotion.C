@@ -5,6 +5,48 @@
 
 #include "equationOfMotion.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Particles that are worked out together. All take the same instructions,
+//  wherever they are in the block.
+constexpr int blockSize = 64;
+
+using block = Eigen::Array<double, blockSize, 1>;
+
+
+//- The factors A, B, C of the exact integration, at z = h k
+void integrals(const block& z, block& A, block& B, block& C)
+{
+    // Below the limit the differences cancel; the series are exact to rounding
+    constexpr double small = 0.02;
+
+    const block decay = (-z).exp();
+
+    for (int l = 0; l < blockSize; ++l)
+    {
+        const double y = z(l);
+        const double large = y < small ? small : y;
+        const double a = (1 - decay(l))/large;
+        const double b = (1 - a)/large;
+        const double c = (0.5 - b)/large;
+
+        const double tail = 1 - y/6*(1 - y/7*(1 - y/8));
+        const double c0 = 1.0/6*(1 - y/4*(1 - y/5*tail));
+        const double b0 = 0.5 - y*c0;
+        const double a0 = 1 - y*b0;
+
+        A(l) = y < small ? a0 : a;
+        B(l) = y < small ? b0 : b;
+        C(l) = y < small ? c0 : c;
+    }
+}
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::aerosol::equationOfMotion::equationOfMotion
@@ -24,93 +66,137 @@ Foam::aerosol::equationOfMotion::equationOfMotion
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::aerosol::scalars Foam::aerosol::equationOfMotion::rate
-(
-    const scalars& d,
-    const scalars& slipSpeed
-) const
-{
-    if (drag_->linear())
-    {
-        return StokesRate_;
-    }
-
-    return StokesRate_*drag_->factor(d*slipSpeed/gas_.nu());
-}
-
-
 void Foam::aerosol::equationOfMotion::glide
 (
     const scalar h,
-    const scalars& k,
-    const vectors& acceleration,
-    const vectors& x,
-    const vectors& v,
-    const gasStep& u,
+    const particleArrays& p,
+    const gasStep& gas,
+    const vectors& w0,
+    const bool withEnd,
     state& end
-)
+) const
 {
-    const scalars z = h*k;
+    const int n = p.size();
+    const bool parabola = gas.um.cols();
+    const bool linear = drag_->linear();
 
-    // Below the limit the differences cancel; the series are exact to rounding.
-    // The vectorised functions are evaluated first, as select() is not.
-    constexpr double small = 0.02;
-    const scalars zs = z.max(small);
-    const scalars fullA = (1 - (-zs).exp())/zs;
-    const scalars fullB = (1 - fullA)/zs;
-    const scalars fullC = (0.5 - fullB)/zs;
-
-    const scalars A = (z < small).select
-    (
-        1 - z/2*(1 - z/3*(1 - z/4*(1 - z/5*(1 - z/6)))),
-        fullA
-    );
-    const scalars B = (z < small).select
-    (
-        0.5*(1 - z/3*(1 - z/4*(1 - z/5*(1 - z/6*(1 - z/7))))),
-        fullB
-    );
-    const scalars C = (z < small).select
-    (
-        1.0/6.0*(1 - z/4*(1 - z/5*(1 - z/6*(1 - z/7*(1 - z/8))))),
-        fullC
-    );
-
-    const auto rows = [](const scalars& factor)
+    if (!withEnd)
     {
-        return factor.transpose();
-    };
-
-    const auto slip = (u.u0 - v).array();
-    const auto a = acceleration.array();
-
-    // Of u = u0 + linear s + square s^2, with the fraction s of the step
-    vectors linear = u.u1 - u.u0;
-    vectors square;
-
-    if (u.um.cols())
-    {
-        square = 2*(u.u0 + u.u1 - 2*u.um);
-        linear -= square;
+        end.x.resize(3, n);
+        end.v.resize(3, n);
     }
 
-    end.v =
-        v.array()
-      + slip.rowwise()*rows(z*A)
-      + linear.array().rowwise()*rows(z*B)
-      + a.rowwise()*rows(h*A);
+    // Those beyond the end of the last block: at rest in gas at rest
+    block k = block::Zero();
+    scalars Re = scalars::Zero(blockSize);
+    std::array<block, 3> x, v, u0, um, u1, a;
 
-    end.x =
-        x.array()
-      + h*v.array()
-      + slip.rowwise()*rows(h*z*B)
-      + linear.array().rowwise()*rows(h*z*C)
-      + a.rowwise()*rows(h*h*B);
-
-    if (u.um.cols())
+    for (std::array<block, 3>* all : {&x, &v, &u0, &um, &u1, &a})
     {
-        end.v.array() += square.array().rowwise()*rows(1 - 2*B);
-        end.x.array() += square.array().rowwise()*rows(h*(1.0/3 - 2*C));
+        all->fill(block::Zero());
+    }
+
+    for (int from = 0; from < n; from += blockSize)
+    {
+        const int size = std::min(blockSize, n - from);
+
+        for (int l = 0; l < size; ++l)
+        {
+            const int i = from + l;
+
+            k(l) = p.rate(i);
+
+            for (int c = 0; c < 3; ++c)
+            {
+                const double begin = w0(c, i);
+                const double change = withEnd ? end.w(c, i) - begin : 0.0;
+
+                x[c](l) = p.x(c, i);
+                v[c](l) = p.v(c, i);
+                a[c](l) = p.acceleration(c, i);
+                u0[c](l) = gas.u0(c, i) + begin;
+                u1[c](l) = gas.u1(c, i) + (begin + change);
+                if (parabola)
+                {
+                    um[c](l) = gas.um(c, i) + (begin + 0.5*change);
+                }
+            }
+        }
+
+        block rate = k;
+
+        if (!linear)
+        {
+            block slip =
+            (
+                (u0[0] - v[0]).square()
+              + (u0[1] - v[1]).square()
+              + (u0[2] - v[2]).square()
+              + 1e-60
+            ).sqrt();
+
+            if (withEnd)
+            {
+                block slip1 = block::Zero();
+
+                for (int l = 0; l < size; ++l)
+                {
+                    for (int c = 0; c < 3; ++c)
+                    {
+                        const double s = u1[c](l) - end.v(c, from + l);
+                        slip1(l) += s*s;
+                    }
+                }
+
+                slip = 0.5*(slip + (slip1 + 1e-60).sqrt());
+            }
+
+            for (int l = 0; l < size; ++l)
+            {
+                Re(l) = p.d(from + l)*slip(l)/gas_.nu();
+            }
+
+            rate *= drag_->factor(Re);
+        }
+
+        block A, B, C;
+        const block z = h*rate;
+        integrals(z, A, B, C);
+
+        const block zA = z*A;
+        const block zB = z*B;
+        const block zC = z*C;
+        const block square = 1 - 2*B;
+        const block cube = 1.0/3 - 2*C;
+
+        for (int c = 0; c < 3; ++c)
+        {
+            const block slip = u0[c] - v[c];
+            block change = u1[c] - u0[c];
+
+            block v1 = v[c] + slip*zA + a[c]*(h*A);
+            block way = v[c] + slip*zB + a[c]*(h*B);
+
+            if (parabola)
+            {
+                const block bent = 2*(u0[c] + u1[c] - 2*um[c]);
+
+                change -= bent;
+                v1 += bent*square;
+                way += bent*cube;
+            }
+
+            v1 += change*zB;
+            way += change*zC;
+
+            const block x1 = x[c] + h*way;
+
+            for (int l = 0; l < size; ++l)
+            {
+                end.v(c, from + l) = v1(l);
+                end.x(c, from + l) = x1(l);
+            }
+        }
     }
 }
 
@@ -130,42 +216,59 @@ Foam::aerosol::equationOfMotion::gasStep::at(const scalar s) const
 }
 
 
-void Foam::aerosol::equationOfMotion::refresh(const particleArrays& particles)
+void Foam::aerosol::equationOfMotion::refresh
+(
+    particleArrays& particles,
+    const int i
+) const
 {
-    StokesRate_ = drag_->StokesRate(particles, gas_);
-    acceleration_ = gravity_->acceleration(particles, gas_);
-    range_ = wake_->range(particles.d);
+    const particleArrays one = particles.select({i});
+
+    particles.rate(i) = drag_->StokesRate(one, gas_)(0);
+    particles.acceleration.col(i) = gravity_->acceleration(one, gas_).col(0);
+    particles.range(i) = wake_->range(one.d)(0);
 }
 
 
-Foam::aerosol::scalars Foam::aerosol::equationOfMotion::relaxationTime() const
+void Foam::aerosol::equationOfMotion::refresh(particleArrays& particles) const
 {
-    return 1/StokesRate_.max(VSMALL);
+    // One by one, that the result depends on the particle only
+    particles.resizeLaws();
+
+    for (int i = 0; i < particles.size(); ++i)
+    {
+        refresh(particles, i);
+    }
 }
 
 
 Foam::aerosol::scalars
-Foam::aerosol::equationOfMotion::gain(const scalar h) const
+Foam::aerosol::equationOfMotion::relaxationTime(const particleArrays& p)
+{
+    return 1/p.rate.max(VSMALL);
+}
+
+
+Foam::aerosol::scalars
+Foam::aerosol::equationOfMotion::gain(const particleArrays& p, const scalar h)
 {
     return
-        acceleration_.colwise().norm().transpose().array()
-       *relaxationTime().min(h);
+        p.acceleration.colwise().norm().transpose().array()
+       *relaxationTime(p).min(h);
 }
 
 
 void Foam::aerosol::equationOfMotion::wakes
 (
-    const particleArrays& particles,
+    const sources& from,
     const std::vector<particlePair>& pairs,
-    const vectors& x,
-    const vectors& v,
-    const vectors& u,
+    const int nTargets,
     vectors& w
 ) const
 {
-    w.setZero(3, particles.size());
+    w.setZero(3, nTargets);
 
-    if (!hasWakes())
+    if (!hasWakes() || pairs.empty())
     {
         return;
     }
@@ -182,9 +285,19 @@ void Foam::aerosol::equationOfMotion::wakes
     }
     block.radius.setOnes();
 
+    const bool limited = from.range.size();
+
     const auto evaluate = [&]()
     {
+        // Added and subtracted, it rounds to a multiple of 2^-44
+        constexpr double rounding = 0x1.8p8;
+
         wake_->evaluate(block, gas_);
+
+        for (int k = 0; k < 3; ++k)
+        {
+            block.velocity[k] = (block.velocity[k] + rounding) - rounding;
+        }
 
         for (int b = 0; b < n; ++b)
         {
@@ -206,19 +319,24 @@ void Foam::aerosol::equationOfMotion::wakes
 
         for (int k = 0; k < 3; ++k)
         {
-            const double r = x(k, i) - x(k, j) - pair.image[k]*period_(k);
+            const double r =
+                from.x(k, i) - (from.x(k, j) + pair.image[k]*period_(k));
 
             block.r[k](n) = r;
-            block.slip[k](n) = u(k, j) - v(k, j);
+            block.slip[k](n) = from.slip(k, j);
             distanceSqr += r*r;
         }
 
-        if (distanceSqr > range_(j)*range_(j) || distanceSqr < VSMALL)
+        if
+        (
+            (limited && distanceSqr > from.range(j)*from.range(j))
+         || distanceSqr < VSMALL
+        )
         {
             continue;
         }
 
-        block.radius(n) = 0.5*particles.d(j);
+        block.radius(n) = 0.5*from.d(j);
         target[n] = i;
 
         if (++n == wake::blockSize)
@@ -241,6 +359,36 @@ void Foam::aerosol::equationOfMotion::wakes
 }
 
 
+void Foam::aerosol::equationOfMotion::correct
+(
+    const scalar h,
+    const particleArrays& p,
+    const gasStep& gas,
+    const vectors& w0,
+    state& end
+) const
+{
+    if (hasWakes() || !drag_->linear())
+    {
+        glide(h, p, gas, w0, true, end);
+    }
+}
+
+
+void Foam::aerosol::equationOfMotion::wakes
+(
+    const particleArrays& particles,
+    const std::vector<particlePair>& pairs,
+    const vectors& x,
+    const vectors& v,
+    const vectors& u,
+    vectors& w
+) const
+{
+    wakes({x, u - v, particles.d, particles.range}, pairs, particles.size(), w);
+}
+
+
 void Foam::aerosol::equationOfMotion::step
 (
     const scalar h,
@@ -252,34 +400,7 @@ void Foam::aerosol::equationOfMotion::step
     state& end
 ) const
 {
-    // What moves the particles: the gas and the wakes, first those of the
-    // beginning
-    gasStep u;
-    u.u0 = gas.u0 + w0;
-    u.u1 = gas.u1 + w0;
-    if (gas.um.cols())
-    {
-        u.um = gas.um + w0;
-    }
-
-    const scalars slip0 = (u.u0 - particles.v).colwise().norm().array();
-
-    glide
-    (
-        h,
-        rate(particles.d, slip0),
-        acceleration_,
-        particles.x,
-        particles.v,
-        u,
-        end
-    );
-
-    if (!hasWakes() && drag_->linear())
-    {
-        end.w = w0;
-        return;
-    }
+    predict(h, particles, gas, w0, end);
 
     wakes(particles, wakePairs, end.x, end.v, gas.u1, end.w);
     if (outside.cols())
@@ -287,25 +408,7 @@ void Foam::aerosol::equationOfMotion::step
         end.w += outside;
     }
 
-    // Then those that change on the way
-    u.u1 = gas.u1 + end.w;
-    if (gas.um.cols())
-    {
-        u.um = gas.um + 0.5*(w0 + end.w);
-    }
-
-    const scalars slip1 = (u.u1 - end.v).colwise().norm().array();
-
-    glide
-    (
-        h,
-        rate(particles.d, 0.5*(slip0 + slip1)),
-        acceleration_,
-        particles.x,
-        particles.v,
-        u,
-        end
-    );
+    correct(h, particles, gas, w0, end);
 }
 
 
@@ -314,25 +417,14 @@ void Foam::aerosol::equationOfMotion::moveOn
     const int i,
     const scalar done,
     const scalar h,
-    const particleArrays& particles,
+    particleArrays& particles,
     const std::vector<particlePair>& wakePairs,
     const gasStep& gas,
     const vectors& outside,
     state& end
-)
+) const
 {
-    particleArrays one;
-    one.resize(1);
-    one.id(0) = particles.id(i);
-    one.x = particles.x.col(i);
-    one.v = particles.v.col(i);
-    one.d(0) = particles.d(i);
-    one.m(0) = particles.m(i);
-    one.primaries(0) = particles.primaries(i);
-
-    StokesRate_.segment<1>(i) = drag_->StokesRate(one, gas_);
-    acceleration_.col(i) = gravity_->acceleration(one, gas_);
-    range_.segment<1>(i) = wake_->range(one.d);
+    refresh(particles, i);
 
     std::vector<particlePair> acting;
     for (const particlePair& pair : wakePairs)
@@ -350,20 +442,20 @@ void Foam::aerosol::equationOfMotion::moveOn
     vectors w;
     wakes(particles, acting, particles.x, particles.v, gas.u0, w);
 
-    gasStep u;
-    u.u0 = gas.at(done).col(i) + w.col(i) + from;
-    u.u1 = gas.u1.col(i) + w.col(i) + from;
+    const gasStep rest{gas.at(done).col(i), {}, gas.u1.col(i)};
 
-    const scalars slip = (u.u0 - one.v).colwise().norm().array();
+    state there;
+    predict
+    (
+        (1 - done)*h,
+        particles.select({i}),
+        rest,
+        w.col(i) + from,
+        there
+    );
 
-    scalars k = StokesRate_.segment<1>(i);
-    k *= drag_->factor(one.d*slip/gas_.nu());
-
-    state rest;
-    glide((1 - done)*h, k, acceleration_.col(i), one.x, one.v, u, rest);
-
-    end.x.col(i) = rest.x;
-    end.v.col(i) = rest.v;
+    end.x.col(i) = there.x;
+    end.v.col(i) = there.v;
 
     wakes(particles, acting, end.x, end.v, gas.u1, w);
     end.w.col(i) = w.col(i) + from;

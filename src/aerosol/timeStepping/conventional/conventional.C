@@ -45,22 +45,22 @@ void Foam::aerosol::conventional::advance
     const scalar h
 )
 {
-    ++effort_.fluidSteps;
-
-    if (!p.size())
+    if (!begin(p))
     {
         return;
     }
 
-    const scalar uc = 2*relativeSpeed(p, sampleGas(p, t, h)).maxCoeff();
+    const scalar uc = largestSpeed(p, sampleGas(p, t, h));
     const int n =
-        std::max(1, int(std::ceil(h*uc/(kc_*p.d.minCoeff()))));
+        std::max(1, int(std::ceil(h*uc/(kc_*smallest(p.d)))));
 
     for (int s = 0; s < n; ++s)
     {
         const scalar ts = t + s*h/n;
 
-        nestedSteps(p, sampleGas(p, ts, h/n), ts, h/n, 1, 1);
+        gasStep gas = sampleGas(p, ts, h/n);
+
+        nestedSteps(p, gas, ts, h/n, 1, 1);
     }
 }
 

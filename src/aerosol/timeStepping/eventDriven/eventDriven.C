@@ -8,7 +8,7 @@
 #include "checkedEntry.H"
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -55,8 +55,7 @@ Foam::aerosol::eventDriven::eventDriven
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-std::vector<Foam::aerosol::eventDriven::group>
-Foam::aerosol::eventDriven::findGroups
+std::vector<int> Foam::aerosol::eventDriven::findEncounters
 (
     const particleArrays& p,
     const equationOfMotion::state& end,
@@ -64,77 +63,70 @@ Foam::aerosol::eventDriven::findGroups
 )
 {
     const int n = p.size();
-    const Eigen::Array3d period = with_.region.period();
 
     // In the frame of the mean motion
-    const Eigen::Vector3d meanChord = (end.x - p.x).rowwise().mean();
-    const Eigen::Vector3d meanV0 = p.v.rowwise().mean();
-    const Eigen::Vector3d meanV1 = end.v.rowwise().mean();
+    const Eigen::Vector3d mean = bricks::mean((end.x - p.x)/h);
+
+    // Hermite's cubic is no further from its chord than this
+    const auto bulgeOf =
+    [h]
+    (
+        const Eigen::Vector3d& v0,
+        const Eigen::Vector3d& chord,
+        const Eigen::Vector3d& v1
+    )
+    {
+        return 4.0/27.0*((h*v0 - chord).norm() + (h*v1 - chord).norm());
+    };
 
     vectors middle(3, n);
     scalars reach(n);
 
     for (int i = 0; i < n; ++i)
     {
-        const Eigen::Vector3d chord = end.x.col(i) - p.x.col(i) - meanChord;
-
-        // Hermite's cubic is no further from its chord than this
-        const double bulge =
-            4.0/27.0
-           *(
-                (h*(p.v.col(i) - meanV0) - chord).norm()
-              + (h*(end.v.col(i) - meanV1) - chord).norm()
-            );
+        const Eigen::Vector3d chord = end.x.col(i) - p.x.col(i) - h*mean;
 
         middle.col(i) = p.x.col(i) + 0.5*chord;
-        reach(i) = 0.5*chord.norm() + bulge + (1 + margin)*0.5*p.d(i);
+        reach(i) =
+            0.5*chord.norm()
+          + bulgeOf(p.v.col(i) - mean, chord, end.v.col(i) - mean)
+          + (1 + margin)*0.5*p.d(i);
     }
 
-    grid_.build(middle, reach);
-    grid_.touching(contactPairs_);
+    searchContacts(p, middle, reach);
+    fillPaths(p, end);
 
-    // Groups as trees: the root of each is its first particle
-    std::vector<int> parent(n);
-    std::iota(parent.begin(), parent.end(), 0);
+    std::vector<int> steps(contactPairs_.size(), 0);
 
-    const auto root = [&](int i)
+    for (std::size_t k = 0; k < contactPairs_.size(); ++k)
     {
-        while (parent[i] != i)
+        const int i = contactPairs_[k].i;
+        const int j = contactPairs_[k].j;
+
+        Eigen::Vector3d r0 = -p.x.col(i);
+        Eigen::Vector3d chord = p.x.col(i) - end.x.col(i);
+        Eigen::Vector3d v0 = -p.v.col(i);
+        Eigen::Vector3d v1 = -end.v.col(i);
+        double radii = 0.5*p.d(i);
+
+        if (j < n)
         {
-            i = parent[i] = parent[parent[i]];
+            r0 += p.x.col(j);
+            chord += end.x.col(j) - p.x.col(j);
+            v0 += p.v.col(j);
+            v1 += end.v.col(j);
+            radii += 0.5*p.d(j);
         }
-        return i;
-    };
-
-    const auto join = [&](const int i, const int j)
-    {
-        const int a = root(i);
-        const int b = root(j);
-        parent[std::max(a, b)] = std::min(a, b);
-    };
-
-    // Pairs in an encounter, and how many steps they need
-    std::vector<int> steps(n, 0);
-
-    for (const particlePair& pair : contactPairs_)
-    {
-        const int i = pair.i;
-        const int j = pair.j;
-
-        Eigen::Vector3d r0 = p.x.col(j) - p.x.col(i);
-        for (int k = 0; k < 3; ++k)
+        else
         {
-            r0(k) += pair.image[k]*period(k);
-        }
+            const int c = j - n;
 
-        const Eigen::Vector3d chord =
-            end.x.col(j) - p.x.col(j) - end.x.col(i) + p.x.col(i);
-        const double bulge =
-            4.0/27.0
-           *(
-                (h*(p.v.col(j) - p.v.col(i)) - chord).norm()
-              + (h*(end.v.col(j) - end.v.col(i)) - chord).norm()
-            );
+            r0 += copiesX0_.col(c);
+            chord += copiesX1_.col(c) - copiesX0_.col(c);
+            v0 += copiesV0_.col(c);
+            v1 += copiesV1_.col(c);
+            radii += 0.5*copiesD_(c);
+        }
 
         // The closest point of the straight way
         const double s =
@@ -143,178 +135,85 @@ Foam::aerosol::eventDriven::findGroups
                 1.0,
                 std::max(0.0, -r0.dot(chord)/(chord.squaredNorm() + VSMALL))
             );
+        const double bulge = bulgeOf(v0, chord, v1);
         const double closest = (r0 + s*chord).norm() - bulge;
-        const double radii = 0.5*(p.d(i) + p.d(j));
 
         if (closest < encounter*radii)
         {
             const double way = chord.norm() + 2*bulge;
-            const int needed =
-                std::min
+
+            steps[k] = static_cast<int>
+            (
+                std::max
                 (
-                    double(maxSteps),
-                    std::ceil(way/(resolution_*std::max(closest, radii)))
-                );
-
-            steps[i] = std::max(steps[i], std::max(needed, 1));
-            steps[j] = std::max(steps[j], std::max(needed, 1));
-            join(i, j);
-        }
-    }
-
-    // Those whom members could meet instead belong to the group, too
-    std::vector<char> inEncounter(n);
-    for (int i = 0; i < n; ++i)
-    {
-        inEncounter[i] = steps[i] > 0;
-    }
-
-    for (const particlePair& pair : contactPairs_)
-    {
-        if (inEncounter[pair.i] || inEncounter[pair.j])
-        {
-            join(pair.i, pair.j);
-            steps[pair.i] = std::max(steps[pair.i], 1);
-            steps[pair.j] = std::max(steps[pair.j], 1);
-        }
-    }
-
-    std::vector<group> groups;
-    groupOf_.assign(n, -1);
-
-    for (int i = 0; i < n; ++i)
-    {
-        if (steps[i] > 0)
-        {
-            const int first = root(i);
-
-            if (groupOf_[first] < 0)
-            {
-                groupOf_[first] = static_cast<int>(groups.size());
-                groups.emplace_back();
-            }
-
-            groupOf_[i] = groupOf_[first];
-            groups[groupOf_[i]].members.push_back(i);
-            groups[groupOf_[i]].nSteps =
-                std::max(groups[groupOf_[i]].nSteps, steps[i]);
-        }
-    }
-
-    // Pairs within the groups, by the places of the particles in them
-    std::vector<int> place(n);
-    for (const group& one : groups)
-    {
-        for (std::size_t m = 0; m < one.members.size(); ++m)
-        {
-            place[one.members[m]] = static_cast<int>(m);
-        }
-    }
-
-    const auto within = [&](const particlePair& pair)
-    {
-        return groupOf_[pair.i] >= 0 && groupOf_[pair.i] == groupOf_[pair.j];
-    };
-
-    for (const particlePair& pair : contactPairs_)
-    {
-        if (within(pair))
-        {
-            groups[groupOf_[pair.i]].contactPairs.push_back
-            (
-                {place[pair.i], place[pair.j], pair.image}
+                    1.0,
+                    std::min
+                    (
+                        double(maxSteps),
+                        std::ceil(way/(resolution_*std::max(closest, radii)))
+                    )
+                )
             );
         }
     }
 
-    for (const particlePair& pair : wakePairs_)
-    {
-        if (within(pair))
-        {
-            groups[groupOf_[pair.i]].wakePairs.push_back
-            (
-                {place[pair.i], place[pair.j], pair.image}
-            );
-        }
-    }
-
-    return groups;
+    return steps;
 }
 
 
 void Foam::aerosol::eventDriven::follow
 (
     group& one,
-    particleArrays& p,
-    const gasStep& gas,
-    const vectors& w0,
-    equationOfMotion::state& end,
     const scalar t,
-    const scalar h,
-    std::vector<char>& absorbed
+    const scalar h
 )
 {
-    const std::vector<int>& members = one.members;
-    const int n = static_cast<int>(members.size());
+    const int n = one.p.size();
+    const scalar hs = h/one.nSteps;
 
-    particleArrays local;
-    local.id = p.id(members);
-    local.x = p.x(Eigen::all, members);
-    local.v = p.v(Eigen::all, members);
-    local.d = p.d(members);
-    local.m = p.m(members);
-    local.primaries = p.primaries(members);
+    // Wakes from outside are linear in time over the long step
+    vectors outside0;
+    vectors outside1;
+    outsideWakes(one, outside0, outside1);
 
-    gasStep localGas;
-    localGas.u0 = gas.u0(Eigen::all, members);
-    localGas.um = gas.um(Eigen::all, members);
-    localGas.u1 = gas.u1(Eigen::all, members);
+    gasStep now;
+    now.u0 = one.gas.u0;
 
-    with_.motion.refresh(local);
-
-    // Wakes from outside of the group: all less those from inside, at the
-    // ends of the long step
-    vectors outside0 = w0(Eigen::all, members);
-    vectors outside1 = end.w(Eigen::all, members);
-    vectors inside;
+    vectors outside = outside0;
+    vectors w0;
 
     with_.motion.wakes
     (
-        local, one.wakePairs, local.x, local.v, localGas.u0, inside
+        one.p, one.wakePairs, one.p.x, one.p.v, now.u0, w0
     );
-    outside0 -= inside;
+    w0 += outside;
 
-    with_.motion.wakes
-    (
-        local,
-        one.wakePairs,
-        end.x(Eigen::all, members),
-        end.v(Eigen::all, members),
-        localGas.u1,
-        inside
-    );
-    outside1 -= inside;
-
-    wakePairs_.swap(one.wakePairs);
-    contactPairs_.swap(one.contactPairs);
-
-    march(local, localGas, outside0, outside1, t, h, one.nSteps, 0);
-
-    effort_.particleSteps += one.nSteps;
-
-    const std::vector<char> gone = with_.contacts.takeAbsorbed(n);
-
-    for (int m = 0; m < n; ++m)
+    for (int s = 0; s < one.nSteps; ++s)
     {
-        const int i = members[m];
+        const scalar done = scalar(s + 1)/one.nSteps;
 
-        end.x.col(i) = local.x.col(m);
-        end.v.col(i) = local.v.col(m);
-        p.d(i) = local.d(m);
-        p.m(i) = local.m(m);
-        p.primaries(i) = local.primaries(m);
-        absorbed[i] = gone[m];
+        now.u1 = one.gas.at(done);
+        outside = outside0 + done*(outside1 - outside0);
+
+        with_.motion.step
+        (
+            hs, one.p, one.wakePairs, now, w0, outside, one.end
+        );
+
+        collide(one, now, outside, t + s*hs, hs, 0);
+
+        one.p.x.swap(one.end.x);
+        one.p.v.swap(one.end.v);
+        w0.swap(one.end.w);
+        now.u0.swap(now.u1);
     }
+
+    // Where the last step has ended
+    one.end.x = one.p.x;
+    one.end.v = one.p.v;
+    one.absorbed = with_.contacts.takeAbsorbed(n);
+
+    effort_.groupMoves += scalar(one.nSteps)*n;
 }
 
 
@@ -327,39 +226,37 @@ void Foam::aerosol::eventDriven::advance
     const scalar h
 )
 {
-    ++effort_.fluidSteps;
-
-    if (!p.size())
+    if (!begin(p))
     {
         return;
     }
 
-    with_.motion.refresh(p);
-
     const gasStep gas = sampleGas(p, t, h, true);
 
-    searchWakes(p, relativeWay(p, gas, h));
+    // That no particle gets too far
+    relativeWay(p, gas, h);
 
     vectors w0;
     equationOfMotion::state end;
 
-    with_.motion.wakes(p, wakePairs_, p.x, p.v, gas.u0, w0);
-    with_.motion.step(h, p, wakePairs_, gas, w0, {}, end);
-
-    ++effort_.particleSteps;
-    effort_.wakePairs += wakePairs_.size();
+    searchWakes(p, p.range, false);
+    wakesOfAll(p.x, gas.u0 - p.v, w0);
+    moveAll(h, p, gas, w0, end);
 
     if (with_.contacts.active())
     {
-        std::vector<char> absorbed(p.size(), 0);
-        std::vector<group> groups = findGroups(p, end, h);
+        const std::vector<int> steps = findEncounters(p, end, h);
 
-        effort_.contactPairs += contactPairs_.size();
+        std::vector<group> groups = gatherGroups(p, gas, w0, end, steps);
 
         for (group& one : groups)
         {
-            follow(one, p, gas, w0, end, t, h, absorbed);
+            follow(one, t, h);
         }
+
+        with_.contacts.share();
+
+        const std::vector<char> absorbed = disperse(groups, p, end);
 
         p.x.swap(end.x);
         p.v.swap(end.v);

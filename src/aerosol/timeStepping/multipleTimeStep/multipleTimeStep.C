@@ -46,25 +46,21 @@ void Foam::aerosol::multipleTimeStep::advance
     const scalar h
 )
 {
-    ++effort_.fluidSteps;
-
-    if (!p.size())
+    if (!begin(p))
     {
         return;
     }
 
-    with_.motion.refresh(p);
-
-    const gasStep gas = sampleGas(p, t, h);
-    const scalar uc = 2*relativeSpeed(p, gas).maxCoeff();
-    const scalar tau = with_.motion.relaxationTime().minCoeff();
+    gasStep gas = sampleGas(p, t, h);
+    const scalar uc = largestSpeed(p, gas);
+    const scalar tau = smallest(with_.motion.relaxationTime(p));
 
     const int nParticle = std::max(1, int(std::ceil(h/(kp_*tau))));
     const int nCollision =
         std::max
         (
             1,
-            int(std::ceil(h/nParticle*uc/(kc_*p.d.minCoeff())))
+            int(std::ceil(h/nParticle*uc/(kc_*smallest(p.d))))
         );
 
     nestedSteps(p, gas, t, h, nParticle, nCollision);

@@ -35,7 +35,7 @@ struct overlap
     std::int64_t idJ;
     int i;
     int j;
-    std::array<std::int8_t, 3> image;
+    Foam::aerosol::periods image;
 
     //- How often the paths of both had changed when it was found
     int age;
@@ -56,7 +56,8 @@ struct overlap
 Foam::aerosol::timeStepping::timeStepping(const tools& with)
 :
     with_(with),
-    grid_(with.region)
+    wakeHalo_(with.region),
+    contactHalo_(with.region)
 {}
 
 
@@ -81,6 +82,19 @@ Foam::aerosol::timeStepping::New
 
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+bool Foam::aerosol::timeStepping::begin(particleArrays& p)
+{
+    ++effort_.fluidSteps;
+
+    if (!p.refreshed())
+    {
+        with_.motion.refresh(p);
+    }
+
+    return bricks::max(p.size()) > 0;
+}
+
 
 Foam::aerosol::timeStepping::gasStep
 Foam::aerosol::timeStepping::sampleGas
@@ -124,7 +138,7 @@ Foam::aerosol::scalars Foam::aerosol::timeStepping::relativeSpeed
     const gasStep& gas
 ) const
 {
-    const Eigen::Vector3d mean = p.v.rowwise().mean();
+    const Eigen::Vector3d mean = bricks::mean(p.v);
 
     const auto speed = [&](const vectors& v)
     {
@@ -135,6 +149,24 @@ Foam::aerosol::scalars Foam::aerosol::timeStepping::relativeSpeed
 }
 
 
+Foam::scalar Foam::aerosol::timeStepping::largestSpeed
+(
+    const particleArrays& p,
+    const gasStep& gas
+) const
+{
+    const scalars speed = relativeSpeed(p, gas);
+
+    return 2*bricks::max(speed.size() ? speed.maxCoeff() : 0.0);
+}
+
+
+Foam::scalar Foam::aerosol::timeStepping::smallest(const scalars& values)
+{
+    return bricks::min(values.size() ? values.minCoeff() : VGREAT);
+}
+
+
 Foam::aerosol::scalars Foam::aerosol::timeStepping::relativeWay
 (
     const particleArrays& p,
@@ -142,12 +174,12 @@ Foam::aerosol::scalars Foam::aerosol::timeStepping::relativeWay
     const scalar h
 ) const
 {
-    const scalars way = h*(relativeSpeed(p, gas) + with_.motion.gain(h));
+    const scalars way = h*(relativeSpeed(p, gas) + with_.motion.gain(p, h));
 
-    const scalar furthest = way.maxCoeff();
+    const scalar furthest = bricks::max(p.size() ? way.maxCoeff() : 0.0);
     const scalar shortest = with_.region.bounds().minDim();
 
-    if (p.size() > 1 && furthest > shortest)
+    if (furthest > shortest && bricks::sum(p.size()) > 1)
     {
         FatalErrorInFunction
             << "In one fluid step of " << h << " s a particle can move by "
@@ -164,33 +196,7 @@ Foam::aerosol::scalars Foam::aerosol::timeStepping::relativeWay
 void Foam::aerosol::timeStepping::nestedSteps
 (
     particleArrays& p,
-    const gasStep& gas,
-    const scalar t,
-    const scalar h,
-    const int nParticle,
-    const int nCollision
-)
-{
-    search(p, gas, h);
-
-    march(p, gas, {}, {}, t, h, nParticle, nCollision);
-
-    with_.contacts.sweep(p);
-    with_.region.confine(p);
-
-    effort_.collisionSteps += std::int64_t(nParticle)*nCollision;
-    effort_.particleSteps += nParticle;
-    effort_.wakePairs += wakePairs_.size();
-    effort_.contactPairs += contactPairs_.size();
-}
-
-
-void Foam::aerosol::timeStepping::march
-(
-    particleArrays& p,
-    const gasStep& gas,
-    const vectors& outside0,
-    const vectors& outside1,
+    gasStep& gas,
     const scalar t,
     const scalar h,
     const int nParticle,
@@ -203,92 +209,186 @@ void Foam::aerosol::timeStepping::march
     now.u0 = gas.u0;
 
     vectors w0;
-    vectors outside;
     equationOfMotion::state end;
-
-    with_.motion.wakes(p, wakePairs_, p.x, p.v, now.u0, w0);
-    if (outside0.cols())
-    {
-        w0 += outside0;
-    }
+    bool listed = false;
 
     for (int s = 0; s < nParticle; ++s)
     {
-        const scalar done = scalar(s + 1)/nParticle;
-
-        now.u1 = gas.at(done);
-        if (outside0.cols())
+        if (!listed)
         {
-            outside = outside0 + done*(outside1 - outside0);
+            search(p, {now.u0, {}, gas.u1}, h - s*hp);
+            wakesOfAll(p.x, now.u0 - p.v, w0);
+            listed = true;
         }
 
-        with_.motion.step(hp, p, wakePairs_, now, w0, outside, end);
+        now.u1 = gas.at(scalar(s + 1)/nParticle);
 
-        collide(p, end, now, outside, t + s*hp, hp, nCollision);
+        moveAll(hp, p, now, w0, end);
+
+        const std::vector<char> absorbed =
+            meet(p, now, w0, end, t + s*hp, hp, nCollision);
 
         p.x.swap(end.x);
         p.v.swap(end.v);
         w0.swap(end.w);
         now.u0.swap(now.u1);
+
+        if (!absorbed.empty())
+        {
+            p.remove(absorbed);
+            removeColumns(now.u0, absorbed);
+            removeColumns(gas.u0, absorbed);
+            removeColumns(gas.u1, absorbed);
+            listed = false;
+        }
     }
+
+    with_.region.confine(p);
 }
 
 
 void Foam::aerosol::timeStepping::searchWakes
 (
     const particleArrays& p,
-    const scalars& way
+    const scalars& reach,
+    const bool withRange
 )
 {
     wakePairs_.clear();
 
-    if (with_.motion.hasWakes())
+    if (!with_.motion.hasWakes())
     {
-        const scalars& range = with_.motion.wakeRange();
-
-        grid_.build
-        (
-            p.x,
-            (range > 0).select(range + way + way.maxCoeff(), range)
-        );
-        grid_.acting(wakePairs_);
+        return;
     }
+
+    wakeHalo_.build(p.x, reach, false);
+
+    scalars reaches = reach;
+    scalars id = p.id.cast<double>();
+    sources_.x = p.x;
+    sources_.d = p.d;
+    sources_.range.resize(0);
+
+    std::vector<halo::quantity> quantities
+    {
+        {sources_.x, wakeHalo_, true},
+        {sources_.d, wakeHalo_},
+        {reaches, wakeHalo_},
+        {id, wakeHalo_}
+    };
+
+    if (withRange)
+    {
+        sources_.range = p.range;
+        quantities.push_back({sources_.range, wakeHalo_});
+    }
+
+    wakeHalo_.fill(quantities);
+
+    grid_.build(sources_.x, reaches);
+    grid_.acting(p.size(), id, wakePairs_);
+
+    effort_.wakePairs += wakePairs_.size();
 }
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::aerosol::timeStepping::search
+void Foam::aerosol::timeStepping::wakesOfAll
 (
-    const particleArrays& p,
-    const gasStep& gas,
-    const scalar h
+    const vectors& x,
+    const vectors& slip,
+    vectors& w
 )
 {
-    with_.motion.refresh(p);
-
-    const scalars way = relativeWay(p, gas, h);
-
-    searchWakes(p, way);
-
-    if (with_.contacts.active())
+    if (with_.motion.hasWakes())
     {
-        // More for the wake of a neighbour, which is no faster than its slip,
-        // and that no faster than twice the relative speed. A sphere that has
-        // just grown by a merger may touch one that is not listed: it is found
-        // in the next step.
-        const scalar drawn = with_.motion.hasWakes() ? 2*way.maxCoeff() : 0;
+        sources_.x.leftCols(x.cols()) = x;
+        sources_.slip = slip;
 
-        grid_.build(p.x, 0.5*p.d + way + drawn);
-        grid_.touching(contactPairs_);
+        wakeHalo_.fill
+        ({
+            {sources_.x, wakeHalo_, true},
+            {sources_.slip, wakeHalo_, false}
+        });
     }
+
+    with_.motion.wakes(sources_, wakePairs_, x.cols(), w);
+}
+
+
+void Foam::aerosol::timeStepping::searchContacts
+(
+    const particleArrays& p,
+    const vectors& x,
+    const scalars& reach
+)
+{
+    contactPairs_.clear();
+
+    if (!with_.contacts.active())
+    {
+        return;
+    }
+
+    contactHalo_.build(x, reach, true);
+
+    vectors places = x;
+    scalars reaches = reach;
+    scalars id = p.id.cast<double>();
+
+    contactHalo_.fill
+    ({
+        {places, contactHalo_, true},
+        {reaches, contactHalo_},
+        {id, contactHalo_},
+        {p.d, copiesD_, contactHalo_}
+    });
+
+    copiesId_ = id.tail(contactHalo_.nCopies());
+
+    grid_.build(places, reaches);
+    grid_.touching(p.size(), id, contactPairs_);
+
+    effort_.contactPairs += contactPairs_.size();
+}
+
+
+void Foam::aerosol::timeStepping::moveAll
+(
+    const scalar h,
+    const particleArrays& p,
+    const gasStep& gas,
+    const vectors& w0,
+    equationOfMotion::state& end
+)
+{
+    with_.motion.predict(h, p, gas, w0, end);
+    wakesOfAll(end.x, gas.u1 - end.v, end.w);
+    with_.motion.correct(h, p, gas, w0, end);
+
+    ++effort_.particleSteps;
+    effort_.particleMoves += p.size();
+}
+
+
+void Foam::aerosol::timeStepping::fillPaths
+(
+    const particleArrays& p,
+    const equationOfMotion::state& end
+)
+{
+    contactHalo_.fill
+    ({
+        {p.x, copiesX0_, contactHalo_, true},
+        {p.v, copiesV0_, contactHalo_, false},
+        {end.x, copiesX1_, contactHalo_, true},
+        {end.v, copiesV1_, contactHalo_, false}
+    });
 }
 
 
 void Foam::aerosol::timeStepping::collide
 (
-    particleArrays& p,
-    equationOfMotion::state& end,
+    group& together,
     const gasStep& gas,
     const vectors& outside,
     const scalar t,
@@ -296,10 +396,8 @@ void Foam::aerosol::timeStepping::collide
     const int nCollision
 )
 {
-    if (contactPairs_.empty())
-    {
-        return;
-    }
+    particleArrays& p = together.p;
+    equationOfMotion::state& end = together.end;
 
     const Eigen::Array3d period = with_.region.period();
 
@@ -347,27 +445,13 @@ void Foam::aerosol::timeStepping::collide
         const double touch = 0.5*(p.d(i) + p.d(j));
         const Eigen::Vector3d shift = shiftOf(pair);
 
-        // Most pairs stay apart: the distance is no less than that at either
-        // end less the way between them
-        if (begin.empty())
-        {
-            const Eigen::Vector3d r0 = p.x.col(j) + shift - p.x.col(i);
-            const Eigen::Vector3d r1 = end.x.col(j) + shift - end.x.col(i);
-            const Eigen::Vector3d v0 = p.v.col(j) - p.v.col(i);
-            const Eigen::Vector3d v1 = end.v.col(j) - end.v.col(i);
-
-            // Hermite's cubic is no further from an end than this
-            const double way =
-                (r1 - r0).norm() + 4.0/27.0*h*(v0.norm() + v1.norm());
-
-            if (std::max(r0.norm(), r1.norm()) > touch + way)
-            {
-                return;
-            }
-        }
-
         const particlePath pathI = pathOf(i);
         const particlePath pathJ = pathOf(j);
+
+        if (begin.empty() && pathI.staysAwayFrom(pathJ.moved(shift), touch))
+        {
+            return;
+        }
 
         // Who touched without sticking does so again only after a separation
         const bool onlyNew = with_.contacts.refused(p.id(i), p.id(j));
@@ -395,7 +479,7 @@ void Foam::aerosol::timeStepping::collide
         }
     };
 
-    for (const particlePair& pair : contactPairs_)
+    for (const particlePair& pair : together.contactPairs)
     {
         look(pair, 0);
     }
@@ -449,7 +533,7 @@ void Foam::aerosol::timeStepping::collide
         begin[survivor] = when;
         ++age[survivor];
 
-        std::array<std::int8_t, 3> image = found.image;
+        periods image = found.image;
 
         if (survivor == j)
         {
@@ -459,14 +543,14 @@ void Foam::aerosol::timeStepping::collide
             }
         }
 
-        redirect(survivor, survivor == i ? j : i, image);
+        redirect(together, survivor, survivor == i ? j : i, image);
 
         with_.motion.moveOn
         (
-            survivor, when/h, h, p, wakePairs_, gas, outside, end
+            survivor, when/h, h, p, together.wakePairs, gas, outside, end
         );
 
-        for (const particlePair& pair : contactPairs_)
+        for (const particlePair& pair : together.contactPairs)
         {
             if (pair.i == survivor || pair.j == survivor)
             {
@@ -477,16 +561,152 @@ void Foam::aerosol::timeStepping::collide
 }
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::aerosol::timeStepping::search
+(
+    const particleArrays& p,
+    const gasStep& gas,
+    const scalar h
+)
+{
+    const scalars way = relativeWay(p, gas, h);
+    const scalar furthest = bricks::max(p.size() ? way.maxCoeff() : 0.0);
+
+    searchWakes
+    (
+        p,
+        (p.range > 0).select(p.range + way + furthest, p.range),
+        true
+    );
+
+    // More for the wake of a neighbour, which is no faster than its slip, and
+    // that no faster than twice the relative speed. A sphere that has just
+    // grown by a merger may touch one that is not listed: it is found in the
+    // next step.
+    const scalar drawn = with_.motion.hasWakes() ? 2*furthest : 0;
+
+    searchContacts(p, p.x, 0.5*p.d + way + drawn);
+}
+
+
+Foam::aerosol::particlePath Foam::aerosol::timeStepping::pathOf
+(
+    const particleArrays& p,
+    const equationOfMotion::state& end,
+    const int i,
+    const scalar h
+) const
+{
+    if (i < contactHalo_.n())
+    {
+        return {p.x.col(i), p.v.col(i), end.x.col(i), end.v.col(i), 0, h};
+    }
+
+    const int c = i - contactHalo_.n();
+
+    return
+    {
+        copiesX0_.col(c), copiesV0_.col(c), copiesX1_.col(c), copiesV1_.col(c),
+        0, h
+    };
+}
+
+
+std::vector<char> Foam::aerosol::timeStepping::meet
+(
+    particleArrays& p,
+    const gasStep& gas,
+    const vectors& w0,
+    equationOfMotion::state& end,
+    const scalar t,
+    const scalar h,
+    const int nCollision
+)
+{
+    if (!with_.contacts.active())
+    {
+        return {};
+    }
+
+    effort_.collisionSteps += nCollision;
+
+    fillPaths(p, end);
+
+    std::vector<int> steps(contactPairs_.size(), 0);
+    double found = 0;
+
+    for (std::size_t k = 0; k < contactPairs_.size(); ++k)
+    {
+        const int i = contactPairs_[k].i;
+        const int j = contactPairs_[k].j;
+        const int n = contactHalo_.n();
+
+        const scalar dj = j < n ? p.d(j) : copiesD_(j - n);
+        const scalar touch = 0.5*(p.d(i) + dj);
+
+        const particlePath a = pathOf(p, end, i, h);
+        const particlePath b = pathOf(p, end, j, h);
+
+        if (a.staysAwayFrom(b, touch))
+        {
+            continue;
+        }
+
+        ++effort_.collisionPairs;
+
+        const std::int64_t idJ = j < n ? p.id(j) : copiesId_(j - n);
+
+        if
+        (
+            particlePath::firstOverlap
+            (
+                a, b, Eigen::Vector3d::Zero(), touch, 0, h, h/nCollision,
+                with_.contacts.refused(p.id(i), idJ)
+            )
+         <= h
+        )
+        {
+            steps[k] = 1;
+            found = 1;
+        }
+    }
+
+    if (bricks::max(found) == 0)
+    {
+        return {};
+    }
+
+    std::vector<group> groups = gatherGroups(p, gas, w0, end, steps);
+
+    for (group& one : groups)
+    {
+        vectors outside0;
+        vectors outside1;
+        outsideWakes(one, outside0, outside1);
+
+        collide(one, one.gas, outside1, t, h, nCollision);
+
+        one.absorbed = with_.contacts.takeAbsorbed(one.p.size());
+    }
+
+    with_.contacts.share();
+
+    return disperse(groups, p, end);
+}
+
+
 void Foam::aerosol::timeStepping::redirect
 (
+    group& together,
     const int survivor,
     const int absorbed,
-    const std::array<std::int8_t, 3>& image
+    const periods& image
 )
 {
     // Contacts of the absorbed one become contacts of the survivor, which is
     // where the absorbed one's copy at `image` was
-    for (particlePair& pair : contactPairs_)
+    for (particlePair& pair : together.contactPairs)
     {
         for (int k = 0; k < 3; ++k)
         {
@@ -511,18 +731,20 @@ void Foam::aerosol::timeStepping::redirect
     }
 
     // Its wake is gone
-    wakePairs_.erase
+    std::vector<particlePair>& wakePairs = together.wakePairs;
+
+    wakePairs.erase
     (
         std::remove_if
         (
-            wakePairs_.begin(),
-            wakePairs_.end(),
+            wakePairs.begin(),
+            wakePairs.end(),
             [&](const particlePair& pair)
             {
                 return pair.i == absorbed || pair.j == absorbed;
             }
         ),
-        wakePairs_.end()
+        wakePairs.end()
     );
 }
 

@@ -97,11 +97,8 @@ std::vector<int> Foam::aerosol::distributionSource::inTheWay
     const particleArrays& particles
 )
 {
-    std::vector<particlePair> pairs;
-
-    searchGrid grid(region);
-    grid.build(particles.x, 0.5*particles.d);
-    grid.touching(pairs);
+    const std::vector<particlePair> pairs =
+        searchGrid::touching(region, particles.x, 0.5*particles.d);
 
     std::vector<int> indices;
 

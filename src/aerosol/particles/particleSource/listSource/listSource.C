@@ -129,11 +129,8 @@ void Foam::aerosol::listSource::checkOverlaps
     // the rounding error
     const double touch = 1 - 1e-9;
 
-    std::vector<particlePair> pairs;
-
-    searchGrid grid(region);
-    grid.build(particles.x, 0.5*touch*particles.d);
-    grid.touching(pairs);
+    const std::vector<particlePair> pairs =
+        searchGrid::touching(region, particles.x, 0.5*touch*particles.d);
 
     if (!pairs.empty())
     {

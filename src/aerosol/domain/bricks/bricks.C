@@ -1,0 +1,333 @@
+/*---------------------------------------------------------------------------*\
+    acousticDEM: acoustic agglomeration of aerosols
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "bricks.H"
+#include "domain.H"
+#include "Pstream.H"
+#include "PstreamReduceOps.H"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+Eigen::Array3d components(const Foam::vector& v)
+{
+    return {v.x(), v.y(), v.z()};
+}
+
+
+//- Three numbers with product n, for bricks of the smallest surface
+std::array<int, 3> split(const int n, const Eigen::Array3d& span)
+{
+    std::array<int, 3> best{n, 1, 1};
+    double least = std::numeric_limits<double>::max();
+
+    for (int i = 1; i <= n; ++i)
+    {
+        for (int j = 1; n % i == 0 && j <= n/i; ++j)
+        {
+            if (n/i % j == 0)
+            {
+                const Eigen::Array3d edge = span/Eigen::Array3d(i, j, n/i/j);
+                const double surface =
+                    edge(0)*edge(1) + edge(1)*edge(2) + edge(2)*edge(0);
+
+                if (surface < least*(1 - 1e-9))
+                {
+                    least = surface;
+                    best = {i, j, n/i/j};
+                }
+            }
+        }
+    }
+
+    return best;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::aerosol::bricks::bricks(const domain& region, const bool shared)
+:
+    origin_(components(region.bounds().min())),
+    span_(components(region.bounds().span())),
+    n_(split(shared ? 1 : nRanks(), span_))
+{}
+
+
+// * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
+
+int Foam::aerosol::bricks::nRanks()
+{
+    return Pstream::parRun() ? Pstream::nProcs() : 1;
+}
+
+
+int Foam::aerosol::bricks::here()
+{
+    return Pstream::parRun() ? Pstream::myProcNo() : 0;
+}
+
+
+Foam::List<Foam::List<double>>
+Foam::aerosol::bricks::exchange(const List<List<double>>& send)
+{
+    if (send.size() == 1)
+    {
+        return send;
+    }
+
+    List<List<double>> received;
+    Pstream::exchange<List<double>, double>(send, received);
+
+    return received;
+}
+
+
+double Foam::aerosol::bricks::max(const double value)
+{
+    return -min(-value);
+}
+
+
+double Foam::aerosol::bricks::min(const double value)
+{
+    scalar all = value;
+
+    if (nRanks() > 1)
+    {
+        reduce(all, minOp<scalar>());
+    }
+
+    return all;
+}
+
+
+double Foam::aerosol::bricks::sum(const double value)
+{
+    scalar all = value;
+
+    if (nRanks() > 1)
+    {
+        reduce(all, sumOp<scalar>());
+    }
+
+    return all;
+}
+
+
+Eigen::Vector3d Foam::aerosol::bricks::mean(const vectors& v)
+{
+    // Added and subtracted, it rounds to a multiple of 2^-20; sums of those
+    // are exact up to 2^33
+    constexpr double rounding = 0x1.8p32;
+
+    Eigen::Vector3d total = Eigen::Vector3d::Zero();
+
+    for (int i = 0; i < v.cols(); ++i)
+    {
+        for (int k = 0; k < 3; ++k)
+        {
+            total(k) += (v(k, i) + rounding) - rounding;
+        }
+    }
+
+    for (int k = 0; k < 3; ++k)
+    {
+        total(k) = sum(total(k));
+    }
+
+    return total/std::max(sum(v.cols()), 1.0);
+}
+
+
+Foam::aerosol::particleArrays
+Foam::aerosol::bricks::gather(const particleArrays& own)
+{
+    constexpr int length = particleArrays::nNumbers;
+
+    const bool withLaws = own.refreshed();
+    particleArrays from = own;
+    if (!withLaws)
+    {
+        from.resizeLaws();
+        from.rate.setZero();
+        from.acceleration.setZero();
+        from.range.setZero();
+    }
+
+    List<double> mine(own.size()*length);
+    for (int i = 0; i < own.size(); ++i)
+    {
+        from.pack(i, mine.data() + i*length);
+    }
+
+    const List<List<double>> all =
+        exchange(List<List<double>>(nRanks(), mine));
+
+    std::vector<const double*> one;
+    for (const List<double>& part : all)
+    {
+        for (label i = 0; i < part.size(); i += length)
+        {
+            one.push_back(part.cdata() + i);
+        }
+    }
+
+    // The first number is the id
+    std::sort
+    (
+        one.begin(),
+        one.end(),
+        [](const double* a, const double* b)
+        {
+            return *a < *b;
+        }
+    );
+
+    particleArrays gathered;
+    gathered.resize(static_cast<int>(one.size()));
+    gathered.resizeLaws();
+
+    for (std::size_t i = 0; i < one.size(); ++i)
+    {
+        gathered.unpack(static_cast<int>(i), one[i]);
+    }
+
+    return gathered;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+int Foam::aerosol::bricks::rankOf(const Eigen::Vector3d& x) const
+{
+    int rank = 0;
+
+    for (int k = 0; k < 3; ++k)
+    {
+        const int c =
+            static_cast<int>(std::floor((x(k) - origin_(k))/span_(k)*n_[k]));
+
+        rank = rank*n_[k] + std::min(std::max(c, 0), n_[k] - 1);
+    }
+
+    return rank;
+}
+
+
+Eigen::Array3d Foam::aerosol::bricks::lower(const int rank) const
+{
+    const Eigen::Array3d place
+    (
+        rank/(n_[1]*n_[2]),
+        rank/n_[2] % n_[1],
+        rank % n_[2]
+    );
+
+    return origin_ + place*span_/Eigen::Array3d(n_[0], n_[1], n_[2]);
+}
+
+
+Eigen::Array3d Foam::aerosol::bricks::upper(const int rank) const
+{
+    return lower(rank) + span_/Eigen::Array3d(n_[0], n_[1], n_[2]);
+}
+
+
+void Foam::aerosol::bricks::keepOwn(particleArrays& p) const
+{
+    if (nRanks() == 1)
+    {
+        return;
+    }
+
+    std::vector<char> others(p.size());
+
+    for (int i = 0; i < p.size(); ++i)
+    {
+        others[i] = rankOf(p.x.col(i)) != here();
+    }
+
+    p.remove(others);
+}
+
+
+void Foam::aerosol::bricks::settle(particleArrays& p) const
+{
+    if (nRanks() == 1)
+    {
+        return;
+    }
+
+    constexpr int length = particleArrays::nNumbers;
+
+    List<List<double>> send(nRanks());
+    std::vector<char> left(p.size(), 0);
+    int nLeft = 0;
+
+    for (int i = 0; i < p.size(); ++i)
+    {
+        const int rank = rankOf(p.x.col(i));
+
+        if (rank != here())
+        {
+            List<double>& numbers = send[rank];
+            numbers.resize(numbers.size() + length);
+            p.pack(i, numbers.data() + numbers.size() - length);
+            left[i] = 1;
+            ++nLeft;
+        }
+    }
+
+    const List<List<double>> received = exchange(send);
+
+    int n = p.size() - nLeft;
+    for (const List<double>& part : received)
+    {
+        n += part.size()/length;
+    }
+
+    if (!nLeft && n == p.size())
+    {
+        return;
+    }
+
+    particleArrays stay;
+    stay.resize(n);
+    stay.resizeLaws();
+
+    double numbers[length];
+    int to = 0;
+
+    for (int i = 0; i < p.size(); ++i)
+    {
+        if (!left[i])
+        {
+            p.pack(i, numbers);
+            stay.unpack(to++, numbers);
+        }
+    }
+
+    for (const List<double>& part : received)
+    {
+        for (label i = 0; i < part.size(); i += length)
+        {
+            stay.unpack(to++, part.cdata() + i);
+        }
+    }
+
+    p = std::move(stay);
+}
+
+
+// ************************************************************************* //

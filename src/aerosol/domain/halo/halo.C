@@ -1,0 +1,326 @@
+/*---------------------------------------------------------------------------*\
+    acousticDEM: acoustic agglomeration of aerosols
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "halo.H"
+#include "domain.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::aerosol::halo::halo(const domain& region, const bool shared)
+:
+    bricks_(region, shared),
+    period_(region.period()),
+    n_(0),
+    sent_(bricks_.n()),
+    received_(bricks_.n(), 0)
+{}
+
+
+Foam::aerosol::halo::quantity::quantity
+(
+    vectors& values,
+    const halo& where,
+    const bool isPosition
+)
+:
+    rows_(3),
+    isPosition_(isPosition)
+{
+    values.conservativeResize(3, where.size());
+    own_ = values.data();
+    copies_ = values.data() + 3*where.n();
+}
+
+
+Foam::aerosol::halo::quantity::quantity(scalars& values, const halo& where)
+:
+    rows_(1),
+    isPosition_(false)
+{
+    values.conservativeResize(where.size());
+    own_ = values.data();
+    copies_ = values.data() + where.n();
+}
+
+
+Foam::aerosol::halo::quantity::quantity
+(
+    const vectors& own,
+    vectors& copies,
+    const halo& where,
+    const bool isPosition
+)
+:
+    rows_(3),
+    isPosition_(isPosition)
+{
+    copies.resize(3, where.nCopies());
+    own_ = own.data();
+    copies_ = copies.data();
+}
+
+
+Foam::aerosol::halo::quantity::quantity
+(
+    const scalars& own,
+    scalars& copies,
+    const halo& where
+)
+:
+    rows_(1),
+    isPosition_(false)
+{
+    copies.resize(where.nCopies());
+    own_ = own.data();
+    copies_ = copies.data();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::aerosol::halo::build
+(
+    const vectors& x,
+    const scalars& reach,
+    const bool mutual
+)
+{
+    const int here = bricks_.own();
+
+    n_ = static_cast<int>(reach.size());
+
+    // How far any particle reaches out of its brick: that far others must be
+    // copied to it
+    double furthest = 0;
+
+    for (int i = 0; i < n_; ++i)
+    {
+        const double outside =
+            (bricks_.lower(here) - x.col(i).array())
+           .max(x.col(i).array() - bricks_.upper(here))
+           .maxCoeff();
+
+        furthest =
+            std::max
+            (
+                furthest,
+                std::max(outside, 0.0) + (mutual ? reach(i) : 0)
+            );
+    }
+
+    const double common = bricks::max(furthest);
+
+    for (auto& list : sent_)
+    {
+        list.clear();
+    }
+
+    std::vector<Eigen::Array3d> lower;
+    std::vector<Eigen::Array3d> upper;
+
+    for (int rank = 0; rank < bricks_.n(); ++rank)
+    {
+        // A little more, lest rounding leaves out who is on a face
+        const Eigen::Array3d extra = common + 1e-12*period_;
+
+        lower.push_back(bricks_.lower(rank) - extra);
+        upper.push_back(bricks_.upper(rank) + extra);
+    }
+
+    // Who does not come near a face of the brick stays at home
+    const Eigen::Array3d innerLower = bricks_.lower(here) + common;
+    const Eigen::Array3d innerUpper = bricks_.upper(here) - common;
+
+    for (int i = 0; i < n_; ++i)
+    {
+        const Eigen::Array3d xi = x.col(i).array();
+        const double r = reach(i);
+
+        if ((xi - r > innerLower).all() && (xi + r < innerUpper).all())
+        {
+            continue;
+        }
+
+        for (int rank = 0; rank < bricks_.n(); ++rank)
+        {
+            std::array<int, 3> first;
+            std::array<int, 3> last;
+
+            for (int k = 0; k < 3; ++k)
+            {
+                if (period_(k) > 0)
+                {
+                    first[k] = static_cast<int>
+                    (
+                        std::ceil((lower[rank](k) - r - xi(k))/period_(k))
+                    );
+                    last[k] = static_cast<int>
+                    (
+                        std::floor((upper[rank](k) + r - xi(k))/period_(k))
+                    );
+                }
+                else
+                {
+                    first[k] = 0;
+                    last[k] =
+                        xi(k) + r >= lower[rank](k)
+                     && xi(k) - r <= upper[rank](k)
+                      ? 0 : -1;
+                }
+            }
+
+            for (int a = first[0]; a <= last[0]; ++a)
+            {
+                for (int b = first[1]; b <= last[1]; ++b)
+                {
+                    for (int c = first[2]; c <= last[2]; ++c)
+                    {
+                        if (rank != here || a || b || c)
+                        {
+                            sent_[rank].push_back
+                            ({
+                                i,
+                                {
+                                    static_cast<std::int8_t>(a),
+                                    static_cast<std::int8_t>(b),
+                                    static_cast<std::int8_t>(c)
+                                }
+                            });
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    // The images tell each rank how many copies it gets
+    List<List<double>> send(bricks_.n());
+
+    for (int rank = 0; rank < bricks_.n(); ++rank)
+    {
+        List<double>& numbers = send[rank];
+        numbers.resize(3*sent_[rank].size());
+
+        label to = 0;
+        for (const auto& one : sent_[rank])
+        {
+            for (int k = 0; k < 3; ++k)
+            {
+                numbers[to++] = one.second[k];
+            }
+        }
+    }
+
+    const List<List<double>> from = bricks::exchange(send);
+
+    image_.clear();
+
+    for (int rank = 0; rank < bricks_.n(); ++rank)
+    {
+        received_[rank] = from[rank].size()/3;
+
+        for (label m = 0; m < from[rank].size(); m += 3)
+        {
+            image_.push_back
+            ({
+                static_cast<std::int8_t>(from[rank][m]),
+                static_cast<std::int8_t>(from[rank][m + 1]),
+                static_cast<std::int8_t>(from[rank][m + 2])
+            });
+        }
+    }
+}
+
+
+void Foam::aerosol::halo::fill(const std::vector<quantity>& quantities) const
+{
+    int rows = 0;
+    for (const quantity& q : quantities)
+    {
+        rows += q.rows_;
+    }
+
+    List<List<double>> send(bricks_.n());
+
+    for (int rank = 0; rank < bricks_.n(); ++rank)
+    {
+        send[rank].resize(rows*sent_[rank].size());
+        double* to = send[rank].data();
+
+        for (const auto& one : sent_[rank])
+        {
+            for (const quantity& q : quantities)
+            {
+                for (int k = 0; k < q.rows_; ++k)
+                {
+                    *to = q.own_[q.rows_*one.first + k];
+
+                    if (q.isPosition_)
+                    {
+                        *to += one.second[k]*period_(k);
+                    }
+
+                    ++to;
+                }
+            }
+        }
+    }
+
+    const List<List<double>> received = bricks::exchange(send);
+
+    int copy = 0;
+
+    for (int rank = 0; rank < bricks_.n(); ++rank)
+    {
+        const double* from = received[rank].cdata();
+
+        for (int m = 0; m < received_[rank]; ++m, ++copy)
+        {
+            for (const quantity& q : quantities)
+            {
+                for (int k = 0; k < q.rows_; ++k)
+                {
+                    q.copies_[q.rows_*copy + k] = *from++;
+                }
+            }
+        }
+    }
+}
+
+
+void Foam::aerosol::halo::spreadMax(scalars& values) const
+{
+    List<List<double>> send(bricks_.n());
+    int copy = n_;
+
+    for (int rank = 0; rank < bricks_.n(); ++rank)
+    {
+        send[rank].resize(received_[rank]);
+
+        for (double& value : send[rank])
+        {
+            value = values(copy++);
+        }
+    }
+
+    const List<List<double>> back = bricks::exchange(send);
+
+    for (int rank = 0; rank < bricks_.n(); ++rank)
+    {
+        const double* from = back[rank].cdata();
+
+        for (const auto& one : sent_[rank])
+        {
+            values(one.first) = std::max(values(one.first), *from++);
+        }
+    }
+
+    fill({quantity(values, *this)});
+}
+
+
+// ************************************************************************* //
