@@ -1,0 +1,119 @@
+"""The aerosol is the same, to the last bit, on any number of ranks.
+
+The box lies inside one cell of the mesh, so that all ranks but one own no part
+of it there; the particles are shared out over all ranks nevertheless.
+"""
+
+import numpy as np
+import pytest
+from aerosolcase import AerosolCase
+
+STEPPINGS = {
+    "conventional": "type conventional; kc 0.5;",
+    "multipleTimeStep": "type multipleTimeStep; kp 1; kc 0.1;",
+    "eventDriven": "type eventDriven;",
+}
+
+
+def run_on(case, ranks):
+    """The final cloud and the contacts, as text."""
+    if ranks == 1:
+        case.run("acousticDEMFoam")
+    else:
+        case.write(
+            "system/decomposeParDict",
+            f"""FoamFile
+{{
+    version 2.0; format ascii; class dictionary; object decomposeParDict;
+}}
+numberOfSubdomains {ranks};
+method  simple;
+simpleCoeffs {{ n (1 {ranks} 1); delta 0.001; }}
+""",
+        )
+        case.run("decomposePar", "-force")
+        case.run(
+            "mpirun", "--oversubscribe", "-np", ranks,
+            "acousticDEMFoam", "-parallel",
+        )
+        case.run("reconstructPar", "-latestTime")
+
+    times = [name for name in case.times() if float(name) > 0]
+    tables = sorted((case.path/"postProcessing"/"aerosol").rglob("*.dat"))
+    assert len(tables) == 3
+
+    return case.cloud(times[-1]), [
+        (table.name, table.read_text()) for table in tables
+    ]
+
+
+def assert_same(reference, other):
+    cloud, tables = reference
+
+    for name, values in other[0].items():
+        assert np.array_equal(values, cloud[name]), name
+    assert other[1] == tables
+
+
+@pytest.fixture(scope="module", params=STEPPINGS, name="stepping")
+def fixture_stepping(request, tmp_path_factory, meshed):
+    """How a case is made, and what one rank makes of it."""
+
+    def make(name):
+        case = AerosolCase(tmp_path_factory.mktemp(name)/"case", meshed)
+        case.model("timeStepping", STEPPINGS[request.param])
+        case.model("wake", "type Oseen; range 20;")
+        case.model("drag", "type SchillerNaumann; slipCorrection Cunningham;")
+        case.write(
+            "constant/aerosolProperties",
+            (case.path/"constant"/"aerosolProperties").read_text()
+            + "\nreport { contacts yes; interval 1e-4; }\n",
+        )
+        case.aerosol("length", "(0.38e-3 0.36e-3 0.34e-3)")
+        case.aerosol("numberConcentration", "3e13")
+        if request.param == "conventional":
+            case.aerosol("min", "1e-6")
+            case.control("endTime", "#eval{ 0.4/$frequency }")
+            case.control("writeInterval", "40")
+        case.replace(
+            "system/controlDict", r"writePrecision\s+16", "writePrecision 17"
+        )
+        return case
+
+    return make, run_on(make("serial"), 1)
+
+
+@pytest.mark.parametrize("ranks", [2, 3, 4])
+def test_is_that_of_one_rank(stepping, ranks):
+    make, serial = stepping
+
+    contacts = dict(serial[1])["contacts.dat"].count("\n") - 1
+    print(contacts, "contacts")
+    assert contacts > 5
+
+    assert_same(serial, run_on(make(f"ranks{ranks}"), ranks))
+
+
+def test_ranks_without_particles(tmp_path, meshed):
+    """Three particles in one corner of the box, which settle and meet."""
+    clouds = []
+
+    for ranks in (1, 4):
+        case = AerosolCase(tmp_path/f"ranks{ranks}", meshed)
+        case.model("timeStepping", STEPPINGS["eventDriven"])
+        case.aerosol("length", "0.5e-3")
+        case.particles(
+            [
+                ((61.06e-3, -0.24e-3, -0.24e-3), 8e-6),
+                ((61.06e-3, 0.24e-3, -0.2402e-3), 6e-6),
+                ((61.07e-3, -0.24e-3, -0.235e-3), 5e-6),
+            ]
+        )
+        case.write(
+            "constant/aerosolProperties",
+            (case.path/"constant"/"aerosolProperties").read_text()
+            + "\nreport { contacts yes; }\n",
+        )
+        clouds.append(run_on(case, ranks))
+
+    assert_same(*clouds)
