@@ -84,6 +84,54 @@ lanes thermalSpeed
     return speed;
 }
 
+
+//- Pairs of independent normal numbers, from the upper 52 bits for the radius
+//  and 33 bits for the angle
+void BoxMuller
+(
+    const std::uint64_t* radiusBits,
+    const std::uint64_t* angleBits,
+    lanes& first,
+    lanes& second
+)
+{
+    // Thirty bits of the angle are within the octant from zero to pi/4, where
+    // Taylor's series are exact to rounding, and three tell the octant
+    lanes u, t, steep, signA, signB;
+
+    for (int b = 0; b < nLanes; ++b)
+    {
+        const std::uint64_t angle = angleBits[b];
+
+        u(b) = counterRandom::openUniform(radiusBits[b]);
+        t(b) = (static_cast<double>(angle >> 3) + 0.5)
+           *(0.25*EIGEN_PI*0x1p-30);
+        signA(b) = 1 - static_cast<double>(angle & 2);
+        signB(b) = 1 - 0.5*static_cast<double>(angle & 4);
+        steep(b) = static_cast<double>(angle & 1);
+    }
+
+    const lanes logU = u.log();
+    const lanes s = t.square();
+
+    const lanes sine =
+        t*(1 - s*(1.0/6)*(1 - s*(1.0/20)*(1 - s*(1.0/42)*(1 - s*(1.0/72)
+       *(1 - s*(1.0/110)*(1 - s*(1.0/156)*(1 - s*(1.0/210))))))));
+    const lanes cosine =
+        1 - s*(1.0/2)*(1 - s*(1.0/12)*(1 - s*(1.0/30)*(1 - s*(1.0/56)
+       *(1 - s*(1.0/90)*(1 - s*(1.0/132)*(1 - s*(1.0/182)
+       *(1 - s*(1.0/240))))))));
+
+    lanes radius;
+    for (int b = 0; b < nLanes; ++b)
+    {
+        radius(b) = std::sqrt(-2*std::min(logU(b), 0.0));
+    }
+
+    first = radius*signA*(steep*sine + (1 - steep)*cosine);
+    second = radius*signB*(steep*cosine + (1 - steep)*sine);
+}
+
 } // End anonymous namespace
 
 
@@ -155,43 +203,15 @@ void Foam::aerosol::OrnsteinUhlenbeck::normals
 
     for (int k = 0; k < 3; ++k)
     {
-        lanes u;
+        std::uint64_t angles[nLanes];
         for (int b = 0; b < nLanes; ++b)
         {
-            u(b) = counterRandom::openUniform(words[k][b]);
-        }
-
-        const lanes logU = u.log();
-
-        for (int b = 0; b < nLanes; ++b)
-        {
-            const double radius = std::sqrt(-2*std::min(logU(b), 0.0));
-
-            const std::uint64_t angle =
+            angles[b] =
                 (words[k][b] & 0xfff) << 21
               | ((words[3][b] >> 21*k) & 0x1fffff);
-
-            // Thirty bits within the octant from zero to pi/4, where Taylor's
-            // series are exact to rounding, and three for which octant
-            const double t =
-                (static_cast<double>(angle >> 3) + 0.5)
-               *(0.25*EIGEN_PI*0x1p-30);
-            const double s = t*t;
-
-            const double sine =
-                t*(1 - s/6*(1 - s/20*(1 - s/42*(1 - s/72
-               *(1 - s/110*(1 - s/156*(1 - s/210)))))));
-            const double cosine =
-                1 - s/2*(1 - s/12*(1 - s/30*(1 - s/56
-               *(1 - s/90*(1 - s/132*(1 - s/182*(1 - s/240)))))));
-
-            const bool steep = angle & 1;
-            const double signA = 1 - static_cast<double>(angle & 2);
-            const double signB = 1 - 0.5*static_cast<double>(angle & 4);
-
-            numbers[k](b) = radius*signA*(steep ? sine : cosine);
-            numbers[3 + k](b) = radius*signB*(steep ? cosine : sine);
         }
+
+        BoxMuller(words[k], angles, numbers[k], numbers[3 + k]);
     }
 }
 
