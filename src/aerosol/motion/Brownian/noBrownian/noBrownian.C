@@ -1,0 +1,68 @@
+/*---------------------------------------------------------------------------*\
+    acousticDEM: acoustic agglomeration of aerosols
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "noBrownian.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace aerosol
+{
+    defineTypeNameAndDebug(noBrownian, 0);
+    addToRunTimeSelectionTable(Brownian, noBrownian, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::aerosol::noBrownian::noBrownian(const dictionary&)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::aerosol::noBrownian::kick
+(
+    const particleArrays&,
+    const scalars&,
+    const gasProperties&,
+    const scalar,
+    const std::int64_t,
+    const std::uint64_t,
+    kicks& k
+) const
+{
+    k.v.resize(3, 0);
+    k.x.resize(3, 0);
+}
+
+
+void Foam::aerosol::noBrownian::bridge
+(
+    const particleArrays&,
+    const scalars&,
+    const gasProperties&,
+    const scalar,
+    const std::int64_t,
+    const std::uint64_t,
+    const int n,
+    const kicks&,
+    std::vector<kicks>& parts
+) const
+{
+    parts.resize(n);
+
+    for (kicks& part : parts)
+    {
+        part.v.resize(3, 0);
+        part.x.resize(3, 0);
+    }
+}
+
+
+// ************************************************************************* //
