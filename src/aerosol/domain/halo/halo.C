@@ -93,23 +93,25 @@ void Foam::aerosol::halo::build
 
     n_ = static_cast<int>(reach.size());
 
+    const Eigen::Array3d ownLower = bricks_.lower(here);
+    const Eigen::Array3d ownUpper = bricks_.upper(here);
+
     // How far any particle reaches out of its brick: that far others must be
     // copied to it
     double furthest = 0;
 
     for (int i = 0; i < n_; ++i)
     {
-        const double outside =
-            (bricks_.lower(here) - x.col(i).array())
-           .max(x.col(i).array() - bricks_.upper(here))
-           .maxCoeff();
+        double out = mutual ? reach(i) : 0;
 
-        furthest =
-            std::max
-            (
-                furthest,
-                std::max(outside, 0.0) + (mutual ? reach(i) : 0)
-            );
+        for (int k = 0; k < 3; ++k)
+        {
+            const double below = ownLower(k) - x(k, i);
+            const double above = x(k, i) - ownUpper(k);
+            out += std::max(0.0, std::max(below, above));
+        }
+
+        furthest = std::max(furthest, out);
     }
 
     const double common = bricks::max(furthest);
@@ -132,18 +134,26 @@ void Foam::aerosol::halo::build
     }
 
     // Who does not come near a face of the brick stays at home
-    const Eigen::Array3d innerLower = bricks_.lower(here) + common;
-    const Eigen::Array3d innerUpper = bricks_.upper(here) - common;
+    const Eigen::Array3d innerLower = ownLower + common;
+    const Eigen::Array3d innerUpper = ownUpper - common;
 
     for (int i = 0; i < n_; ++i)
     {
-        const Eigen::Array3d xi = x.col(i).array();
         const double r = reach(i);
+        int inside = 1;
 
-        if ((xi - r > innerLower).all() && (xi + r < innerUpper).all())
+        for (int k = 0; k < 3; ++k)
+        {
+            inside &= x(k, i) - r > innerLower(k);
+            inside &= x(k, i) + r < innerUpper(k);
+        }
+
+        if (inside)
         {
             continue;
         }
+
+        const Eigen::Array3d xi = x.col(i).array();
 
         for (int rank = 0; rank < bricks_.n(); ++rank)
         {

@@ -5,48 +5,92 @@
 
 #include "searchGrid.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Particles that are looked at together
+constexpr int lot = 8;
+
+//- Further away than anything, but with a finite square
+constexpr double farAway = 1e100;
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class Visitor>
 void Foam::aerosol::searchGrid::visit
 (
-    const Eigen::Array3d& centre,
+    const int own,
     const double radius,
     Visitor&& visitor
-) const
+)
 {
+    const std::array<double, 3> centre{x_[0][own], x_[1][own], x_[2][own]};
+    const double radiusSqr = radius*radius;
+
+    // A little more, lest rounding hides a particle on the face of a cell
+    const double r = radius*(1 + 1e-9);
+
     std::array<int, 3> lo;
     std::array<int, 3> hi;
 
     for (int k = 0; k < 3; ++k)
     {
-        // A little more, lest rounding hides a particle on the face of a cell
-        const double r = radius*(1 + 1e-9);
-
-        lo[k] = cellIndex(centre(k) - r, k);
-        hi[k] = cellIndex(centre(k) + r, k);
+        lo[k] = cellIndex(centre[k] - r, k);
+        hi[k] = cellIndex(centre[k] + r, k);
     }
+
+    // It does not find itself: almost all looks are in vain, and quick
+    x_[0][own] = farAway;
 
     for (int cx = lo[0]; cx <= hi[0]; ++cx)
     {
         for (int cy = lo[1]; cy <= hi[1]; ++cy)
         {
-            // Cells of a row are next to one another: a single run of entries
+            // Cells of a row are next to one another: a single run
             const int row = (cx*cells_[1] + cy)*cells_[2];
+            const int end = start_[row + hi[2] + 1];
 
-            const entry* other = entries_.data() + start_[row + lo[2]];
-            const entry* const end = entries_.data() + start_[row + hi[2] + 1];
-
-            for (; other != end; ++other)
+            for (int m = start_[row + lo[2]]; m < end; m += lot)
             {
-                const double r0 = other->x(0) - centre(0);
-                const double r1 = other->x(1) - centre(1);
-                const double r2 = other->x(2) - centre(2);
+                const double* const x = x_[0].data() + m;
+                const double* const y = x_[1].data() + m;
+                const double* const z = x_[2].data() + m;
 
-                visitor(*other, r0*r0 + r1*r1 + r2*r2);
+                std::array<double, lot> distanceSqr;
+                std::int64_t near = 0;
+
+                for (int l = 0; l < lot; ++l)
+                {
+                    const double r0 = x[l] - centre[0];
+                    const double r1 = y[l] - centre[1];
+                    const double r2 = z[l] - centre[2];
+
+                    distanceSqr[l] = r0*r0 + r1*r1 + r2*r2;
+                    near |= std::int64_t(distanceSqr[l] <= radiusSqr);
+                }
+
+                if (near)
+                {
+                    const int size = std::min(lot, end - m);
+
+                    for (int l = 0; l < size; ++l)
+                    {
+                        if (distanceSqr[l] <= radiusSqr)
+                        {
+                            visitor(m + l, distanceSqr[l]);
+                        }
+                    }
+                }
             }
         }
     }
+
+    x_[0][own] = centre[0];
 }
 
 
@@ -79,7 +123,13 @@ void Foam::aerosol::searchGrid::build(const vectors& x, const scalars& reach)
     // Counting sort, which keeps the order of the particles in a cell
     start_.assign(cells_[0]*cells_[1]*cells_[2] + 1, 0);
     cellOf_.resize(n);
-    entries_.resize(n);
+    reach_.resize(n);
+    index_.resize(n);
+    for (std::vector<double>& x : x_)
+    {
+        x.resize(n + lot);
+        std::fill(x.end() - lot, x.end(), farAway);
+    }
 
     for (int i = 0; i < n; ++i)
     {
@@ -98,11 +148,13 @@ void Foam::aerosol::searchGrid::build(const vectors& x, const scalars& reach)
 
     for (int i = n - 1; i >= 0; --i)
     {
-        entry& particle = entries_[--start_[cellOf_[i] + 1]];
+        const int place = --start_[cellOf_[i] + 1];
 
-        particle.x = x.col(i).array();
-        particle.reach = reach(i);
-        particle.index = i;
+        x_[0][place] = x(0, i);
+        x_[1][place] = x(1, i);
+        x_[2][place] = x(2, i);
+        reach_[place] = reach(i);
+        index_[place] = i;
     }
 
     // start_[c + 1] is now where cell c begins
@@ -116,34 +168,36 @@ void Foam::aerosol::searchGrid::touching
     const int n,
     const scalars& id,
     std::vector<particlePair>& pairs
-) const
+)
 {
     pairs.clear();
 
     // In the order of the grid: neighbours are next to one another in memory
-    for (const entry& own : entries_)
+    for (int own = 0; own < static_cast<int>(index_.size()); ++own)
     {
+        const double reach = reach_[own];
+
         // The one with the larger reach looks for the other one
         visit
         (
-            own.x,
-            2*own.reach,
-            [&](const entry& other, const double distanceSqr)
+            own,
+            2*reach,
+            [&](const int other, const double distanceSqr)
             {
-                const double sum = own.reach + other.reach;
+                const double sum = reach + reach_[other];
 
                 if
                 (
                     distanceSqr > sum*sum
-                 || other.reach > own.reach
-                 || (other.reach == own.reach && other.index <= own.index)
+                 || reach_[other] > reach
+                 || (reach_[other] == reach && index_[other] < index_[own])
                 )
                 {
                     return;
                 }
 
-                int i = own.index;
-                int j = other.index;
+                int i = index_[own];
+                int j = index_[other];
 
                 if (id(j) < id(i))
                 {
@@ -203,52 +257,34 @@ void Foam::aerosol::searchGrid::acting
     const int n,
     const scalars& id,
     std::vector<particlePair>& pairs
-) const
+)
 {
     pairs.clear();
 
-    for (const entry& source : entries_)
+    for (int source = 0; source < static_cast<int>(index_.size()); ++source)
     {
-        if (source.reach <= 0)
+        if (reach_[source] <= 0)
         {
             continue;
         }
 
-        const double reachSqr = source.reach*source.reach;
+        const int j = index_[source];
 
         visit
         (
-            source.x,
-            source.reach,
-            [&](const entry& other, const double distanceSqr)
+            source,
+            reach_[source],
+            [&](const int target, double)
             {
-                if
-                (
-                    distanceSqr <= reachSqr
-                 && other.index < n
-                 && other.index != source.index
-                 && id(other.index) != id(source.index)
-                )
+                const int i = index_[target];
+
+                if (i < n && id(i) != id(j))
                 {
-                    pairs.push_back({other.index, source.index, {}});
+                    pairs.push_back({i, j, {}});
                 }
             }
         );
     }
-}
-
-
-std::vector<int> Foam::aerosol::searchGrid::order() const
-{
-    std::vector<int> indices;
-    indices.reserve(entries_.size());
-
-    for (const entry& particle : entries_)
-    {
-        indices.push_back(particle.index);
-    }
-
-    return indices;
 }
 
 

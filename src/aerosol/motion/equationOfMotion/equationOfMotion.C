@@ -76,15 +76,35 @@ void Foam::aerosol::equationOfMotion::glide
     state& end
 ) const
 {
-    const int n = p.size();
     const bool parabola = gas.um.cols();
     const bool linear = drag_->linear();
 
+    // Those whose end may change: all, or those that feel a wake or whose drag
+    // is not linear
+    std::vector<int> chosen;
+    chosen.reserve(p.size());
+
+    for (int i = 0; i < p.size(); ++i)
+    {
+        const bool wakes =
+            !withEnd
+         || !linear
+         || w0(0, i) != 0 || w0(1, i) != 0 || w0(2, i) != 0
+         || end.w(0, i) != 0 || end.w(1, i) != 0 || end.w(2, i) != 0;
+
+        if (wakes)
+        {
+            chosen.push_back(i);
+        }
+    }
+
     if (!withEnd)
     {
-        end.x.resize(3, n);
-        end.v.resize(3, n);
+        end.x.resize(3, p.size());
+        end.v.resize(3, p.size());
     }
+
+    const int n = static_cast<int>(chosen.size());
 
     // Those beyond the end of the last block: at rest in gas at rest
     block k = block::Zero();
@@ -102,7 +122,7 @@ void Foam::aerosol::equationOfMotion::glide
 
         for (int l = 0; l < size; ++l)
         {
-            const int i = from + l;
+            const int i = chosen[from + l];
 
             k(l) = p.rate(i);
 
@@ -143,7 +163,7 @@ void Foam::aerosol::equationOfMotion::glide
                 {
                     for (int c = 0; c < 3; ++c)
                     {
-                        const double s = u1[c](l) - end.v(c, from + l);
+                        const double s = u1[c](l) - end.v(c, chosen[from + l]);
                         slip1(l) += s*s;
                     }
                 }
@@ -153,7 +173,7 @@ void Foam::aerosol::equationOfMotion::glide
 
             for (int l = 0; l < size; ++l)
             {
-                Re(l) = p.d(from + l)*slip(l)/gas_.nu();
+                Re(l) = p.d(chosen[from + l])*slip(l)/gas_.nu();
             }
 
             rate *= drag_->factor(Re);
@@ -193,8 +213,8 @@ void Foam::aerosol::equationOfMotion::glide
 
             for (int l = 0; l < size; ++l)
             {
-                end.v(c, from + l) = v1(l);
-                end.x(c, from + l) = x1(l);
+                end.v(c, chosen[from + l]) = v1(l);
+                end.x(c, chosen[from + l]) = x1(l);
             }
         }
     }
