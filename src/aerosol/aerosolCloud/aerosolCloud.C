@@ -28,6 +28,10 @@ namespace aerosol
 namespace
 {
 
+//- Fluid steps after which the particles are sorted in space again
+constexpr int sortInterval = 50;
+
+
 Foam::IOobject propertiesIO(const Foam::fvMesh& mesh)
 {
     return Foam::IOobject
@@ -135,6 +139,7 @@ Foam::aerosol::aerosolCloud::aerosolCloud
 
     // Up to here every rank has all of them
     bricks_.keepOwn(particles_);
+    searchGrid::sort(particles_);
 }
 
 
@@ -461,6 +466,11 @@ void Foam::aerosol::aerosolCloud::evolve()
 
     timeStepping_->advance(particles_, mesh_.time().value() - h, h);
     bricks_.settle(particles_);
+
+    if (mesh_.time().timeIndex() % sortInterval == 0)
+    {
+        searchGrid::sort(particles_);
+    }
 
     checkGrowth();
 

@@ -288,4 +288,13 @@ void Foam::aerosol::searchGrid::acting
 }
 
 
+void Foam::aerosol::searchGrid::sort(particleArrays& p)
+{
+    searchGrid grid;
+    grid.build(p.x, scalars::Zero(p.size()));
+
+    p = p.select(grid.index_);
+}
+
+
 // ************************************************************************* //
