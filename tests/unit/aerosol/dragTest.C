@@ -122,7 +122,7 @@ double settledSpeed
 
     for (int s = 0; s < steps; ++s)
     {
-        motion.step(h, p, {}, {still, {}, still}, still, {}, end);
+        motion.step(h, p, {}, {still, {}, still}, {}, 1, end);
         p.x = end.x;
         p.v = end.v;
     }
@@ -225,7 +225,7 @@ TEST(drag, noneIsNothing)
 
     const vectors gas = vectors::Ones(3, 2);
     equationOfMotion::state end;
-    motion.step(0.1, p, {}, {gas, {}, 2*gas}, 0*gas, {}, end);
+    motion.step(0.1, p, {}, {gas, {}, 2*gas}, {}, 1, end);
 
     const double g = 9.81*(1 - 1.204/1000);
 

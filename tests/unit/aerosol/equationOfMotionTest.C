@@ -225,21 +225,18 @@ void advance
 {
     motion.refresh(p);
 
-    vectors w;
     equationOfMotion::state end;
 
     vectors u0 = gas(0.0).replicate(1, p.size());
-    motion.wakes(p, pairs, p.x, p.v, u0, w);
 
     for (int s = 0; s < steps; ++s)
     {
         const vectors u1 = gas((s + 1)*h).replicate(1, p.size());
 
-        motion.step(h, p, pairs, {u0, {}, u1}, w, {}, end);
+        motion.step(h, p, pairs, {u0, {}, u1}, {}, 1, end);
 
         p.x = end.x;
         p.v = end.v;
-        w = end.w;
         u0 = u1;
     }
 }
@@ -298,7 +295,7 @@ TEST(equationOfMotion, isExactInGasThatChangesLinearlyInTime)
     u1.colwise() = vec(1.3, 0.7, 0);
 
     equationOfMotion::state end;
-    motion.step(h, p, {}, {u0, {}, u1}, 0*u0, {}, end);
+    motion.step(h, p, {}, {u0, {}, u1}, {}, 1, end);
 
     for (int i = 0; i < p.size(); ++i)
     {
@@ -325,7 +322,7 @@ TEST(equationOfMotion, isExactInGasThatChangesLinearlyInTime)
     p.v.colwise() = v0;
     u0.colwise() = vec(1, 2, 3);
     u1.colwise() = vec(-1, 2.5, 0);
-    motion.step(h, p, {}, {u0, {}, u1}, 0*u0, {}, end);
+    motion.step(h, p, {}, {u0, {}, u1}, {}, 1, end);
 
     for (int i = 0; i < p.size(); ++i)
     {
@@ -429,7 +426,7 @@ TEST(equationOfMotion, isEntrainedAsStokesSays)
                 const vectors u1 =
                     gasVelocity((step + 1)*h).replicate(1, p.size());
 
-                motion.step(h, p, {}, {u0, {}, u1}, 0*u0, {}, end);
+                motion.step(h, p, {}, {u0, {}, u1}, {}, 1, end);
 
                 if (step == 19*n)
                 {
@@ -778,65 +775,6 @@ TEST(equationOfMotion, ignoresItsWakesWithoutAny)
 
     ASSERT_EQ(w.cols(), 2);
     EXPECT_EQ(w.norm(), 0);
-}
-
-
-TEST(equationOfMotion, movesAMergedParticleOnExactly)
-{
-    // A particle that grew at 0.3 of the step: the rest of the step by the
-    // exact solution with its new mass
-    const gasProperties gas = gasProperties::air();
-    equationOfMotion motion
-    (
-        laws("Stokes", "type none;", "type uniform; value (0 0 -9.81);"),
-        gas,
-        Eigen::Array3d::Ones()
-    );
-
-    particleArrays p = spheres({2e-6, 3e-6, 4e-6}, 2000);
-    motion.refresh(p);
-
-    vectors u0(3, 3);
-    vectors u1(3, 3);
-    u0 << 1, 2, 3, 4, 5, 6, 7, 8, 9;
-    u1 << 2, 4, 1, 0, 3, 2, 9, 5, 5;
-
-    const double h = 1e-5;
-    equationOfMotion::state end;
-    motion.step(h, p, {}, {u0, {}, u1}, vectors::Zero(3, 3), {}, end);
-
-    const equationOfMotion::state before = end;
-
-    p.d(1) = 6e-6;
-    p.m(1) = 3000*pi/6*216e-18;
-    p.x.col(1) = vec(1e-6, 2e-6, 3e-6);
-    p.v.col(1) = vec(-1, 0, 1);
-
-    const double done = 0.3;
-    motion.moveOn(1, done, h, p, {}, {u0, {}, u1}, {}, end);
-
-    EXPECT_EQ(end.x.col(0), before.x.col(0));
-    EXPECT_EQ(end.x.col(2), before.x.col(2));
-    EXPECT_EQ(end.v.col(0), before.v.col(0));
-    EXPECT_EQ(end.v.col(2), before.v.col(2));
-
-    const double k = 18*gas.mu/(3000*36e-12);
-
-    for (int c = 0; c < 3; ++c)
-    {
-        const double now = u0(c, 1) + done*(u1(c, 1) - u0(c, 1));
-        const exactStep rest
-        (
-            k, (1 - done)*h, p.v(c, 1), now, u1(c, 1),
-            c == 2 ? -9.81*(1 - gas.rho/3000) : 0
-        );
-
-        EXPECT_NEAR(end.v(c, 1), double(rest.v), 1e-13);
-        EXPECT_NEAR(end.x(c, 1), p.x(c, 1) + double(rest.x), 1e-18);
-    }
-
-    // From now on it relaxes as its new size says
-    EXPECT_NEAR(motion.relaxationTime(p)(1)*k, 1, 1e-14);
 }
 
 

@@ -17,16 +17,14 @@ Foam::aerosol::particlePath::particlePath
     const Eigen::Vector3d& v0,
     const Eigen::Vector3d& x1,
     const Eigen::Vector3d& v1,
-    const double begin,
-    const double end
+    const double length
 )
 :
     x0_(x0),
     v0_(v0),
     x1_(x1),
     v1_(v1),
-    begin_(begin),
-    length_(end - begin)
+    length_(length)
 {}
 
 
@@ -40,7 +38,7 @@ Foam::aerosol::particlePath::position(const double t) const
         return x1_;
     }
 
-    const double s = (t - begin_)/length_;
+    const double s = t/length_;
     const double q = 1 - s;
 
     return
@@ -57,22 +55,12 @@ Foam::aerosol::particlePath::velocity(const double t) const
         return v1_;
     }
 
-    const double s = (t - begin_)/length_;
+    const double s = t/length_;
     const double q = 1 - s;
 
     return
         6*s*q/length_*(x1_ - x0_)
       + q*(1 - 3*s)*v0_ + s*(3*s - 2)*v1_;
-}
-
-
-Foam::aerosol::particlePath
-Foam::aerosol::particlePath::moved(const Eigen::Vector3d& shift) const
-{
-    return
-    {
-        x0_ + shift, v0_, x1_ + shift, v1_, begin_, begin_ + length_
-    };
 }
 
 
@@ -98,44 +86,25 @@ bool Foam::aerosol::particlePath::staysAwayFrom
 double
 Foam::aerosol::particlePath::relativeSpeed(const particlePath& b) const
 {
-    const auto largest =
-    [](
-        const Eigen::Vector3d& v0,
-        const Eigen::Vector3d& chord,
-        const Eigen::Vector3d& v1
-    )
-    {
-        return
-            std::sqrt
-            (
-                std::max
-                ({
-                    v0.squaredNorm(),
-                    (3*chord - v0 - v1).squaredNorm(),
-                    v1.squaredNorm()
-                })
-            );
-    };
+    const Eigen::Vector3d v0 = v0_ - b.v0_;
+    const Eigen::Vector3d v1 = v1_ - b.v1_;
 
-    if (begin_ == b.begin_ && length_ > 0)
+    if (length_ <= 0)
     {
-        return largest
-        (
-            v0_ - b.v0_,
-            (x1_ - x0_ - b.x1_ + b.x0_)/length_,
-            v1_ - b.v1_
-        );
+        return std::max(v0.norm(), v1.norm());
     }
 
-    const auto own = [&](const particlePath& a)
-    {
-        return
-            a.length_ > 0
-          ? largest(a.v0_, (a.x1_ - a.x0_)/a.length_, a.v1_)
-          : 0.0;
-    };
+    const Eigen::Vector3d chord = (x1_ - x0_ - b.x1_ + b.x0_)/length_;
 
-    return own(*this) + own(b);
+    return std::sqrt
+    (
+        std::max
+        ({
+            v0.squaredNorm(),
+            (3*chord - v0 - v1).squaredNorm(),
+            v1.squaredNorm()
+        })
+    );
 }
 
 
@@ -145,10 +114,7 @@ double Foam::aerosol::particlePath::firstOverlap
 (
     const particlePath& a,
     const particlePath& b,
-    const Eigen::Vector3d& shift,
     const double touch,
-    const double first,
-    const double last,
     const double interval,
     const bool onlyNew
 )
@@ -156,23 +122,37 @@ double Foam::aerosol::particlePath::firstOverlap
     const auto overlaps = [&](const double t)
     {
         return
-            (b.position(t) + shift - a.position(t)).squaredNorm()
-         <= touch*touch;
+            (b.position(t) - a.position(t)).squaredNorm() <= touch*touch;
     };
 
-    bool before = onlyNew && overlaps(first);
-
     const int nSteps =
-        std::max(1, static_cast<int>(std::lround((last - first)/interval)));
+        std::max(1, static_cast<int>(std::lround(a.length_/interval)));
 
-    for (int s = 0; s <= nSteps; ++s)
+    bool before = overlaps(0);
+
+    if (before && !onlyNew)
     {
-        const double t = first + s*(last - first)/nSteps;
-        const bool now = overlaps(t);
+        return 0;
+    }
+
+    for (int s = 1; s <= nSteps; ++s)
+    {
+        double late = s*a.length_/nSteps;
+        const bool now = overlaps(late);
 
         if (now && !before)
         {
-            return t;
+            // Bisection, down to rounding
+            double early = (s - 1)*a.length_/nSteps;
+
+            for (int n = 0; n < 50; ++n)
+            {
+                const double half = 0.5*(early + late);
+
+                (overlaps(half) ? late : early) = half;
+            }
+
+            return late;
         }
 
         before = now;
@@ -186,22 +166,21 @@ double Foam::aerosol::particlePath::firstTouch
 (
     const particlePath& a,
     const particlePath& b,
-    const Eigen::Vector3d& shift,
     const double touch,
-    const double first,
-    const double last,
     const bool onlyNew
 )
 {
+    const double last = a.length_;
+
     // No gap can close faster than this
     const double speed = std::max(a.relativeSpeed(b), VSMALL);
 
     const auto gap = [&](const double t)
     {
-        return (b.position(t) + shift - a.position(t)).norm() - touch;
+        return (b.position(t) - a.position(t)).norm() - touch;
     };
 
-    double t = first;
+    double t = 0;
     double distance = gap(t);
 
     // Out of an overlap that does not count
@@ -233,7 +212,7 @@ double Foam::aerosol::particlePath::firstTouch
             for (int n = 0; n < 3; ++n)
             {
                 const Eigen::Vector3d r =
-                    b.position(contact) + shift - a.position(contact);
+                    b.position(contact) - a.position(contact);
                 const double rate =
                     (b.velocity(contact) - a.velocity(contact)).dot(r)/r.norm();
 
@@ -246,7 +225,7 @@ double Foam::aerosol::particlePath::firstTouch
 
             if (contact <= last && gap(contact) <= 1e-12*touch)
             {
-                return std::max(contact, first);
+                return std::max(contact, 0.0);
             }
         }
 

@@ -246,6 +246,22 @@ void Foam::aerosol::halo::build
 }
 
 
+std::vector<char> Foam::aerosol::halo::sent() const
+{
+    std::vector<char> marks(n_, 0);
+
+    for (const auto& list : sent_)
+    {
+        for (const auto& one : list)
+        {
+            marks[one.first] = 1;
+        }
+    }
+
+    return marks;
+}
+
+
 void Foam::aerosol::halo::fill(const std::vector<quantity>& quantities) const
 {
     int rows = 0;

@@ -64,56 +64,80 @@ Foam::aerosol::equationOfMotion::equationOfMotion
 {}
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::aerosol::equationOfMotion::glide
+Foam::aerosol::vectors
+Foam::aerosol::equationOfMotion::gasStep::at(const scalar s) const
+{
+    if (!u1.cols())
+    {
+        return u0;
+    }
+
+    if (!um.cols())
+    {
+        return u0 + s*(u1 - u0);
+    }
+
+    return
+        (1 - s)*(1 - 2*s)*u0 + 4*s*(1 - s)*um + s*(2*s - 1)*u1;
+}
+
+
+Foam::aerosol::equationOfMotion::gasStep
+Foam::aerosol::equationOfMotion::gasStep::part
+(
+    const scalar from,
+    const scalar to
+) const
+{
+    gasStep some;
+    some.u0 = at(from);
+
+    if (um.cols())
+    {
+        some.um = at(0.5*(from + to));
+    }
+    if (u1.cols())
+    {
+        some.u1 = at(to);
+    }
+
+    return some;
+}
+
+
+void Foam::aerosol::equationOfMotion::move
 (
     const scalar h,
     const particleArrays& p,
     const gasStep& gas,
-    const vectors& w0,
+    const gasStep& wakes,
+    const std::vector<int>& which,
     const bool withEnd,
     state& end
 ) const
 {
-    const bool parabola = gas.um.cols();
-    const bool linear = drag_->linear();
+    const bool all = which.empty();
+    const int n = all ? p.size() : static_cast<int>(which.size());
+    const bool parabola = gas.um.cols() || wakes.um.cols();
 
-    // Those whose end may change: all, or those that feel a wake or whose drag
-    // is not linear
-    std::vector<int> chosen;
-    chosen.reserve(p.size());
+    end.x.resize(3, p.size());
+    end.v.resize(3, p.size());
 
-    for (int i = 0; i < p.size(); ++i)
+    const auto index = [&](const int place)
     {
-        const bool wakes =
-            !withEnd
-         || !linear
-         || w0(0, i) != 0 || w0(1, i) != 0 || w0(2, i) != 0
-         || end.w(0, i) != 0 || end.w(1, i) != 0 || end.w(2, i) != 0;
-
-        if (wakes)
-        {
-            chosen.push_back(i);
-        }
-    }
-
-    if (!withEnd)
-    {
-        end.x.resize(3, p.size());
-        end.v.resize(3, p.size());
-    }
-
-    const int n = static_cast<int>(chosen.size());
+        return all ? place : which[place];
+    };
 
     // Those beyond the end of the last block: at rest in gas at rest
     block k = block::Zero();
     scalars Re = scalars::Zero(blockSize);
     std::array<block, 3> x, v, u0, um, u1, a;
 
-    for (std::array<block, 3>* all : {&x, &v, &u0, &um, &u1, &a})
+    for (std::array<block, 3>* values : {&x, &v, &u0, &um, &u1, &a})
     {
-        all->fill(block::Zero());
+        values->fill(block::Zero());
     }
 
     for (int from = 0; from < n; from += blockSize)
@@ -122,30 +146,57 @@ void Foam::aerosol::equationOfMotion::glide
 
         for (int l = 0; l < size; ++l)
         {
-            const int i = chosen[from + l];
+            const int i = index(from + l);
 
             k(l) = p.rate(i);
 
             for (int c = 0; c < 3; ++c)
             {
-                const double begin = w0(c, i);
-                const double change = withEnd ? end.w(c, i) - begin : 0.0;
-
                 x[c](l) = p.x(c, i);
                 v[c](l) = p.v(c, i);
                 a[c](l) = p.acceleration(c, i);
-                u0[c](l) = gas.u0(c, i) + begin;
-                u1[c](l) = gas.u1(c, i) + (begin + change);
-                if (parabola)
+                u0[c](l) = gas.u0(c, i);
+                u1[c](l) = gas.u1(c, i);
+            }
+        }
+
+        if (parabola)
+        {
+            for (int l = 0; l < size; ++l)
+            {
+                const int i = index(from + l);
+
+                for (int c = 0; c < 3; ++c)
                 {
-                    um[c](l) = gas.um(c, i) + (begin + 0.5*change);
+                    um[c](l) =
+                        gas.um.cols() ? gas.um(c, i)
+                      : 0.5*(u0[c](l) + u1[c](l));
+                }
+            }
+        }
+
+        if (wakes.u0.cols())
+        {
+            for (int l = 0; l < size; ++l)
+            {
+                const int i = index(from + l);
+
+                for (int c = 0; c < 3; ++c)
+                {
+                    const double w0 = wakes.u0(c, i);
+                    const double w1 = wakes.u1.cols() ? wakes.u1(c, i) : w0;
+
+                    u0[c](l) += w0;
+                    u1[c](l) += w1;
+                    um[c](l) +=
+                        wakes.um.cols() ? wakes.um(c, i) : 0.5*(w0 + w1);
                 }
             }
         }
 
         block rate = k;
 
-        if (!linear)
+        if (!linear())
         {
             block slip =
             (
@@ -163,7 +214,8 @@ void Foam::aerosol::equationOfMotion::glide
                 {
                     for (int c = 0; c < 3; ++c)
                     {
-                        const double s = u1[c](l) - end.v(c, chosen[from + l]);
+                        const double s =
+                            u1[c](l) - end.v(c, index(from + l));
                         slip1(l) += s*s;
                     }
                 }
@@ -173,7 +225,7 @@ void Foam::aerosol::equationOfMotion::glide
 
             for (int l = 0; l < size; ++l)
             {
-                Re(l) = p.d(chosen[from + l])*slip(l)/gas_.nu();
+                Re(l) = p.d(index(from + l))*slip(l)/gas_.nu();
             }
 
             rate *= drag_->factor(Re);
@@ -213,26 +265,11 @@ void Foam::aerosol::equationOfMotion::glide
 
             for (int l = 0; l < size; ++l)
             {
-                end.v(c, chosen[from + l]) = v1(l);
-                end.x(c, chosen[from + l]) = x1(l);
+                end.v(c, index(from + l)) = v1(l);
+                end.x(c, index(from + l)) = x1(l);
             }
         }
     }
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::aerosol::vectors
-Foam::aerosol::equationOfMotion::gasStep::at(const scalar s) const
-{
-    if (!um.cols())
-    {
-        return u0 + s*(u1 - u0);
-    }
-
-    return
-        (1 - s)*(1 - 2*s)*u0 + 4*s*(1 - s)*um + s*(2*s - 1)*u1;
 }
 
 
@@ -379,22 +416,6 @@ void Foam::aerosol::equationOfMotion::wakes
 }
 
 
-void Foam::aerosol::equationOfMotion::correct
-(
-    const scalar h,
-    const particleArrays& p,
-    const gasStep& gas,
-    const vectors& w0,
-    state& end
-) const
-{
-    if (hasWakes() || !drag_->linear())
-    {
-        glide(h, p, gas, w0, true, end);
-    }
-}
-
-
 void Foam::aerosol::equationOfMotion::wakes
 (
     const particleArrays& particles,
@@ -412,73 +433,70 @@ void Foam::aerosol::equationOfMotion::wakes
 void Foam::aerosol::equationOfMotion::step
 (
     const scalar h,
-    const particleArrays& particles,
+    const particleArrays& p,
     const std::vector<particlePair>& wakePairs,
     const gasStep& gas,
-    const vectors& w0,
-    const vectors& outside,
+    const gasStep& outside,
+    const int nIterations,
     state& end
 ) const
 {
-    predict(h, particles, gas, w0, end);
+    gasStep w;
 
-    wakes(particles, wakePairs, end.x, end.v, gas.u1, end.w);
-    if (outside.cols())
+    if (!hasWakes())
     {
-        end.w += outside;
-    }
+        move(h, p, gas, w, {}, false, end);
 
-    correct(h, particles, gas, w0, end);
-}
-
-
-void Foam::aerosol::equationOfMotion::moveOn
-(
-    const int i,
-    const scalar done,
-    const scalar h,
-    particleArrays& particles,
-    const std::vector<particlePair>& wakePairs,
-    const gasStep& gas,
-    const vectors& outside,
-    state& end
-) const
-{
-    refresh(particles, i);
-
-    std::vector<particlePair> acting;
-    for (const particlePair& pair : wakePairs)
-    {
-        if (pair.i == i)
+        if (!linear())
         {
-            acting.push_back(pair);
+            move(h, p, gas, w, {}, true, end);
         }
+        return;
     }
 
-    const Eigen::Vector3d from =
-        outside.cols() ? Eigen::Vector3d(outside.col(i))
-      : Eigen::Vector3d(Eigen::Vector3d::Zero());
-
-    vectors w;
-    wakes(particles, acting, particles.x, particles.v, gas.u0, w);
-
-    const gasStep rest{gas.at(done).col(i), {}, gas.u1.col(i)};
-
-    state there;
-    predict
+    const auto wakesAt =
+    [&]
     (
-        (1 - done)*h,
-        particles.select({i}),
-        rest,
-        w.col(i) + from,
-        there
-    );
+        const scalar s,
+        const vectors& x,
+        const vectors& v,
+        const vectors& u,
+        vectors& result
+    )
+    {
+        wakes(p, wakePairs, x, v, u, result);
 
-    end.x.col(i) = there.x;
-    end.v.col(i) = there.v;
+        if (outside.u0.cols())
+        {
+            result += outside.at(s);
+        }
+    };
 
-    wakes(particles, acting, end.x, end.v, gas.u1, w);
-    end.w.col(i) = w.col(i) + from;
+    const gasStep firstHalf = gas.part(0, 0.5);
+    state middle;
+
+    wakesAt(0, p.x, p.v, gas.u0, w.u0);
+
+    for (int n = 0; n < nIterations; ++n)
+    {
+        // First with the wakes of the beginning, later with those just found
+        const bool again = n > 0;
+
+        move
+        (
+            0.5*h, p, firstHalf, again ? w.part(0, 0.5) : w, {}, again, middle
+        );
+        wakesAt(0.5, middle.x, middle.v, firstHalf.u1, w.um);
+
+        if (!again)
+        {
+            w.u1 = 2*w.um - w.u0;
+            move(h, p, gas, w, {}, false, end);
+        }
+
+        wakesAt(1, end.x, end.v, gas.u1, w.u1);
+        move(h, p, gas, w, {}, true, end);
+    }
 }
 
 

@@ -161,62 +161,6 @@ std::vector<int> Foam::aerosol::eventDriven::findEncounters
 }
 
 
-void Foam::aerosol::eventDriven::follow
-(
-    group& one,
-    const scalar t,
-    const scalar h
-)
-{
-    const int n = one.p.size();
-    const scalar hs = h/one.nSteps;
-
-    // Wakes from outside are linear in time over the long step
-    vectors outside0;
-    vectors outside1;
-    outsideWakes(one, outside0, outside1);
-
-    gasStep now;
-    now.u0 = one.gas.u0;
-
-    vectors outside = outside0;
-    vectors w0;
-
-    with_.motion.wakes
-    (
-        one.p, one.wakePairs, one.p.x, one.p.v, now.u0, w0
-    );
-    w0 += outside;
-
-    for (int s = 0; s < one.nSteps; ++s)
-    {
-        const scalar done = scalar(s + 1)/one.nSteps;
-
-        now.u1 = one.gas.at(done);
-        outside = outside0 + done*(outside1 - outside0);
-
-        with_.motion.step
-        (
-            hs, one.p, one.wakePairs, now, w0, outside, one.end
-        );
-
-        collide(one, now, outside, t + s*hs, hs, 0);
-
-        one.p.x.swap(one.end.x);
-        one.p.v.swap(one.end.v);
-        w0.swap(one.end.w);
-        now.u0.swap(now.u1);
-    }
-
-    // Where the last step has ended
-    one.end.x = one.p.x;
-    one.end.v = one.p.v;
-    one.absorbed = with_.contacts.takeAbsorbed(n);
-
-    effort_.groupMoves += scalar(one.nSteps)*n;
-}
-
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::aerosol::eventDriven::advance
@@ -236,22 +180,20 @@ void Foam::aerosol::eventDriven::advance
     // That no particle gets too far
     relativeWay(p, gas, h);
 
-    vectors w0;
     equationOfMotion::state end;
 
     searchWakes(p, p.range, false);
-    wakesOfAll(p.x, gas.u0 - p.v, w0);
-    moveAll(h, p, gas, w0, end);
+    moveAll(h, p, gas, true, end);
 
     if (with_.contacts.active())
     {
         const std::vector<int> steps = findEncounters(p, end, h);
 
-        std::vector<group> groups = gatherGroups(p, gas, w0, end, steps);
+        std::vector<group> groups = gatherGroups(p, gas, steps);
 
         for (group& one : groups)
         {
-            follow(one, t, h);
+            follow(one, t, h, 0);
         }
 
         with_.contacts.share();

@@ -22,7 +22,7 @@ using namespace Foam;
 using namespace Foam::aerosol;
 
 //- Vectors of a member that come with its particle
-constexpr int nVectors = 9;
+constexpr int nVectors = 12;
 
 //- Numbers of a member in a message: its group, its index where it comes from,
 //  the particle, the vectors
@@ -76,8 +76,6 @@ Foam::aerosol::timeStepping::gatherGroups
 (
     const particleArrays& p,
     const gasStep& gas,
-    const vectors& w0,
-    const equationOfMotion::state& end,
     const std::vector<int>& steps
 )
 {
@@ -186,28 +184,27 @@ Foam::aerosol::timeStepping::gatherGroups
             p.pack(i, to);
             to += particleArrays::nNumbers;
 
-            const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
-
-            for
-            (
-                const Eigen::Vector3d& v :
-                std::array<Eigen::Vector3d, nVectors>
-                {
-                    gas.u0.col(i),
-                    gas.um.cols() ? gas.um.col(i) : zero,
-                    gas.u1.col(i),
-                    w0.col(i),
-                    end.x.col(i),
-                    end.v.col(i),
-                    end.w.col(i),
-                    sources_.x.cols() ? sources_.x.col(i) : zero,
-                    sources_.slip.cols() ? sources_.slip.col(i) : zero
-                }
-            )
+            const std::array<const gasStep*, 4> steps
             {
-                Eigen::Map<Eigen::Vector3d> numbers(to);
-                numbers = v;
-                to += 3;
+                &gas, &wakes_, &wakesX_, &wakesSlip_
+            };
+
+            for (const gasStep* step : steps)
+            {
+                for (const vectors* v : {&step->u0, &step->um, &step->u1})
+                {
+                    Eigen::Map<Eigen::Vector3d> numbers(to);
+
+                    if (v->cols())
+                    {
+                        numbers = v->col(i);
+                    }
+                    else
+                    {
+                        numbers.setZero();
+                    }
+                    to += 3;
+                }
             }
         }
     }
@@ -288,8 +285,10 @@ Foam::aerosol::timeStepping::gatherGroups
 
         const std::array<vectors*, nVectors> to
         {
-            &one.gas.u0, &one.gas.um, &one.gas.u1, &one.w0,
-            &one.end.x, &one.end.v, &one.end.w, &one.x1, &one.slip1
+            &one.gas.u0, &one.gas.um, &one.gas.u1,
+            &one.wakes.u0, &one.wakes.um, &one.wakes.u1,
+            &one.x.u0, &one.x.um, &one.x.u1,
+            &one.slip.u0, &one.slip.um, &one.slip.u1
         };
 
         for (vectors* v : to)
@@ -315,6 +314,10 @@ Foam::aerosol::timeStepping::gatherGroups
         if (!gas.um.cols())
         {
             one.gas.um.resize(3, 0);
+        }
+        if (!wakes_.um.cols())
+        {
+            one.wakes.um.resize(3, 0);
         }
 
         const auto place = [&](const double id)
@@ -342,17 +345,13 @@ Foam::aerosol::timeStepping::gatherGroups
             const int i = place(numbers[1]);
             const int j = place(numbers[2]);
 
-            periods there;
-            periods back;
+            periods image;
             for (int k = 0; k < 3; ++k)
             {
-                there[k] = static_cast<std::int8_t>(numbers[3 + k]);
-                back[k] = static_cast<std::int8_t>(-numbers[3 + k]);
+                image[k] = static_cast<std::int8_t>(numbers[3 + k]);
             }
 
-            one.contactPairs.push_back({i, j, there});
-            one.wakePairs.push_back({i, j, there});
-            one.wakePairs.push_back({j, i, back});
+            one.contactPairs.push_back({i, j, image});
             one.nSteps = std::max(one.nSteps, static_cast<int>(numbers[6]));
         }
 
@@ -384,8 +383,8 @@ std::vector<char> Foam::aerosol::timeStepping::disperse
             to += particleArrays::nNumbers;
             Eigen::Map<Eigen::Vector3d> x(to);
             Eigen::Map<Eigen::Vector3d> v(to + 3);
-            x = one.end.x.col(m);
-            v = one.end.v.col(m);
+            x = one.p.x.col(m);
+            v = one.p.v.col(m);
         }
     }
 
@@ -409,25 +408,24 @@ std::vector<char> Foam::aerosol::timeStepping::disperse
 }
 
 
-void Foam::aerosol::timeStepping::outsideWakes
+Foam::aerosol::timeStepping::gasStep
+Foam::aerosol::timeStepping::outsideWakes
 (
     const group& one,
-    vectors& outside0,
-    vectors& outside1
+    const std::vector<particlePair>& wakePairs
 ) const
 {
-    outside0 = one.w0;
-    outside1 = one.end.w;
+    gasStep outside;
 
     if (!with_.motion.hasWakes())
     {
-        return;
+        return outside;
     }
 
-    // Those from inside that are part of them: within range at the beginning
+    // Those from inside that are part of all: within range at the beginning
     std::vector<particlePair> acting;
 
-    for (const particlePair& pair : one.wakePairs)
+    for (const particlePair& pair : wakePairs)
     {
         double distanceSqr = 0;
 
@@ -445,17 +443,312 @@ void Foam::aerosol::timeStepping::outsideWakes
         }
     }
 
-    const int n = one.p.size();
-    vectors inside;
+    const auto less = [&](const vectors& w, const vectors& x, const vectors& slip)
+    {
+        vectors inside;
+        with_.motion.wakes
+        (
+            {x, slip, one.p.d, {}}, acting, one.p.size(), inside
+        );
 
-    with_.motion.wakes
-    (
-        {one.p.x, one.gas.u0 - one.p.v, one.p.d, {}}, acting, n, inside
-    );
-    outside0 -= inside;
+        return vectors(w - inside);
+    };
 
-    with_.motion.wakes({one.x1, one.slip1, one.p.d, {}}, acting, n, inside);
-    outside1 -= inside;
+    outside.u0 = less(one.wakes.u0, one.x.u0, one.slip.u0);
+    outside.u1 = less(one.wakes.u1, one.x.u1, one.slip.u1);
+
+    if (one.wakes.um.cols())
+    {
+        outside.um = less(one.wakes.um, one.x.um, one.slip.um);
+    }
+
+    return outside;
+}
+
+
+std::vector<Foam::aerosol::particlePair>
+Foam::aerosol::timeStepping::bothWays(const std::vector<particlePair>& pairs)
+{
+    std::vector<particlePair> both;
+
+    for (const particlePair& pair : pairs)
+    {
+        periods back = pair.image;
+        for (std::int8_t& n : back)
+        {
+            n = -n;
+        }
+
+        both.push_back(pair);
+        both.push_back({pair.j, pair.i, back});
+    }
+
+    return both;
+}
+
+
+std::pair<Foam::scalar, int> Foam::aerosol::timeStepping::firstContact
+(
+    const group& one,
+    const equationOfMotion::state& end,
+    const scalar h,
+    const int nCollision,
+    const std::vector<char>& leftOut
+) const
+{
+    const particleArrays& p = one.p;
+
+    std::pair<scalar, int> first(GREAT, -1);
+
+    for (std::size_t k = 0; k < one.contactPairs.size(); ++k)
+    {
+        if (leftOut[k])
+        {
+            continue;
+        }
+
+        const particlePair& pair = one.contactPairs[k];
+        const int i = pair.i;
+        const int j = pair.j;
+
+        const particlePath a
+        (
+            p.x.col(i), p.v.col(i), end.x.col(i), end.v.col(i), h
+        );
+        const particlePath b
+        (
+            p.x.col(j) + shift(pair), p.v.col(j),
+            end.x.col(j) + shift(pair), end.v.col(j), h
+        );
+        const double touch = 0.5*(p.d(i) + p.d(j));
+
+        if (a.staysAwayFrom(b, touch))
+        {
+            continue;
+        }
+
+        // Who touched without sticking does so again only after a separation
+        const bool onlyNew = with_.contacts.refused(p.id(i), p.id(j));
+
+        const double when =
+            nCollision > 0
+          ? particlePath::firstOverlap(a, b, touch, h/nCollision, onlyNew)
+          : particlePath::firstTouch(a, b, touch, onlyNew);
+
+        // The first of the list if there are more at the same time
+        if (when <= h && when < first.first)
+        {
+            first = {when, static_cast<int>(k)};
+        }
+    }
+
+    return first;
+}
+
+
+void Foam::aerosol::timeStepping::redirect
+(
+    std::vector<particlePair>& pairs,
+    const int survivor,
+    const int absorbed,
+    const periods& image
+)
+{
+    // Pairs of the absorbed one become pairs of the survivor, which is where
+    // the absorbed one's copy at `image` was
+    for (particlePair& pair : pairs)
+    {
+        for (int k = 0; k < 3; ++k)
+        {
+            if (pair.i == absorbed)
+            {
+                pair.image[k] += image[k];
+            }
+            if (pair.j == absorbed)
+            {
+                pair.image[k] -= image[k];
+            }
+        }
+
+        if (pair.i == absorbed)
+        {
+            pair.i = survivor;
+        }
+        if (pair.j == absorbed)
+        {
+            pair.j = survivor;
+        }
+    }
+
+    // Those who were neighbours of both are now there twice
+    std::vector<particlePair> kept;
+
+    for (const particlePair& pair : pairs)
+    {
+        const bool known = std::any_of
+        (
+            kept.begin(),
+            kept.end(),
+            [&](const particlePair& other)
+            {
+                return
+                    std::minmax(other.i, other.j)
+                 == std::minmax(pair.i, pair.j);
+            }
+        );
+
+        if (pair.i != pair.j && !known)
+        {
+            kept.push_back(pair);
+        }
+    }
+
+    pairs.swap(kept);
+}
+
+
+void Foam::aerosol::timeStepping::follow
+(
+    group& one,
+    const scalar t,
+    const scalar h,
+    const int nCollision
+)
+{
+    // How often the wakes within a group are worked out anew
+    constexpr int nIterations = 2;
+
+    // Distance from contact that is no distance, in distances
+    constexpr double closed = 1e-10;
+
+    particleArrays& p = one.p;
+    const scalar longest = h/one.nSteps;
+
+    std::vector<particlePair> wakePairs = bothWays(one.contactPairs);
+    const gasStep outside = outsideWakes(one, wakePairs);
+
+    equationOfMotion::state end;
+    std::vector<char> leftOut(one.contactPairs.size(), 0);
+    scalar now = 0;
+
+    const auto moveOver = [&](const scalar length, equationOfMotion::state& to)
+    {
+        with_.motion.step
+        (
+            length,
+            p,
+            wakePairs,
+            one.gas.part(now/h, (now + length)/h),
+            outside.part(now/h, (now + length)/h),
+            nIterations,
+            to
+        );
+        effort_.groupMoves += p.size();
+    };
+
+    while (h - now > 1e-9*longest)
+    {
+        const scalar length =
+            (h - now)/std::ceil((h - now)/longest - 1e-9);
+
+        moveOver(length, end);
+
+        const auto found = firstContact(one, end, length, nCollision, leftOut);
+
+        if (found.second < 0)
+        {
+            p.x.swap(end.x);
+            p.v.swap(end.v);
+            now += length;
+            std::fill(leftOut.begin(), leftOut.end(), 0);
+            continue;
+        }
+
+        // To the contact, by the motion itself rather than by its path
+        const particlePair pair = one.contactPairs[found.second];
+        const double touch = 0.5*(p.d(pair.i) + p.d(pair.j));
+        scalar when = found.first;
+
+        for (int n = 0; n < 5 && when > 1e-9*longest; ++n)
+        {
+            moveOver(when, end);
+
+            const Eigen::Vector3d r =
+                end.x.col(pair.j) + shift(pair) - end.x.col(pair.i);
+            const double gap = r.norm() - touch;
+            const double rate =
+                (end.v.col(pair.j) - end.v.col(pair.i)).dot(r)/r.norm();
+
+            if (std::abs(gap) < closed*touch || rate >= 0)
+            {
+                break;
+            }
+
+            when = std::min(std::max(when - gap/rate, 0.0), length);
+        }
+
+        if (when > 1e-9*longest)
+        {
+            moveOver(when, end);
+        }
+        else
+        {
+            when = 0;
+            end.x = p.x;
+            end.v = p.v;
+        }
+
+        contactOutcome::encounter encounter;
+        encounter.i = pair.i;
+        encounter.j = pair.j;
+        encounter.shift = shift(pair);
+        encounter.xi = end.x.col(pair.i);
+        encounter.xj = end.x.col(pair.j) + encounter.shift;
+        encounter.vi = end.v.col(pair.i);
+        encounter.vj = end.v.col(pair.j);
+        encounter.time = t + now + when;
+
+        const int survivor = with_.contacts.meet(p, encounter);
+
+        if (survivor < 0)
+        {
+            leftOut[found.second] = 1;
+            continue;
+        }
+
+        // All go on from there
+        const Eigen::Vector3d xs = p.x.col(survivor);
+        const Eigen::Vector3d vs = p.v.col(survivor);
+
+        p.x.swap(end.x);
+        p.v.swap(end.v);
+        p.x.col(survivor) = xs;
+        p.v.col(survivor) = vs;
+        now += when;
+
+        with_.motion.refresh(p, survivor);
+
+        periods image = pair.image;
+        if (survivor == pair.j)
+        {
+            for (std::int8_t& n : image)
+            {
+                n = -n;
+            }
+        }
+
+        redirect
+        (
+            one.contactPairs,
+            survivor,
+            survivor == pair.i ? pair.j : pair.i,
+            image
+        );
+        wakePairs = bothWays(one.contactPairs);
+        leftOut.assign(one.contactPairs.size(), 0);
+    }
+
+    one.absorbed = with_.contacts.takeAbsorbed(p.size());
 }
 
 

@@ -7,8 +7,7 @@
 #include "selectModel.H"
 
 #include <algorithm>
-#include <queue>
-#include <tuple>
+#include <numeric>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -20,35 +19,6 @@ namespace aerosol
     defineRunTimeSelectionTable(timeStepping, dictionary);
 }
 }
-
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-//- An overlap found on the paths of a pair
-struct overlap
-{
-    double time;
-    std::int64_t idI;
-    std::int64_t idJ;
-    int i;
-    int j;
-    Foam::aerosol::periods image;
-
-    //- How often the paths of both had changed when it was found
-    int age;
-
-    //- Earliest first; at the same time in the order of the ids
-    bool operator<(const overlap& b) const
-    {
-        return
-            std::tie(time, idI, idJ) > std::tie(b.time, b.idI, b.idJ);
-    }
-};
-
-} // End anonymous namespace
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -208,7 +178,6 @@ void Foam::aerosol::timeStepping::nestedSteps
     gasStep now;
     now.u0 = gas.u0;
 
-    vectors w0;
     equationOfMotion::state end;
     bool listed = false;
 
@@ -217,20 +186,18 @@ void Foam::aerosol::timeStepping::nestedSteps
         if (!listed)
         {
             search(p, {now.u0, {}, gas.u1}, h - s*hp);
-            wakesOfAll(p.x, now.u0 - p.v, w0);
             listed = true;
         }
 
         now.u1 = gas.at(scalar(s + 1)/nParticle);
 
-        moveAll(hp, p, now, w0, end);
+        moveAll(hp, p, now, false, end);
 
         const std::vector<char> absorbed =
-            meet(p, now, w0, end, t + s*hp, hp, nCollision);
+            meet(p, now, end, t + s*hp, hp, nCollision);
 
         p.x.swap(end.x);
         p.v.swap(end.v);
-        w0.swap(end.w);
         now.u0.swap(now.u1);
 
         if (!absorbed.empty())
@@ -255,6 +222,7 @@ void Foam::aerosol::timeStepping::searchWakes
 )
 {
     wakePairs_.clear();
+    involved_.clear();
 
     if (!with_.motion.hasWakes())
     {
@@ -289,27 +257,57 @@ void Foam::aerosol::timeStepping::searchWakes
     grid_.acting(p.size(), id, wakePairs_);
 
     effort_.wakePairs += wakePairs_.size();
+
+    std::vector<char> marks = wakeHalo_.sent();
+
+    for (const particlePair& pair : wakePairs_)
+    {
+        marks[pair.i] = 1;
+
+        if (pair.j < p.size())
+        {
+            marks[pair.j] = 1;
+        }
+    }
+
+    for (int i = 0; i < p.size(); ++i)
+    {
+        if (marks[i])
+        {
+            involved_.push_back(i);
+        }
+    }
+
+    sources_.slip.setZero(3, wakeHalo_.size());
 }
 
 
-void Foam::aerosol::timeStepping::wakesOfAll
+void Foam::aerosol::timeStepping::wakesAt
 (
     const vectors& x,
-    const vectors& slip,
+    const vectors& v,
+    const vectors& u,
+    vectors& keptX,
+    vectors& keptSlip,
     vectors& w
 )
 {
-    if (with_.motion.hasWakes())
-    {
-        sources_.x.leftCols(x.cols()) = x;
-        sources_.slip = slip;
+    keptX.resize(3, x.cols());
+    keptSlip.resize(3, x.cols());
 
-        wakeHalo_.fill
-        ({
-            {sources_.x, wakeHalo_, true},
-            {sources_.slip, wakeHalo_, false}
-        });
+    for (const int i : involved_)
+    {
+        keptX.col(i) = x.col(i);
+        keptSlip.col(i) = u.col(i) - v.col(i);
+        sources_.x.col(i) = keptX.col(i);
+        sources_.slip.col(i) = keptSlip.col(i);
     }
+
+    wakeHalo_.fill
+    ({
+        {sources_.x, wakeHalo_, true},
+        {sources_.slip, wakeHalo_, false}
+    });
 
     with_.motion.wakes(sources_, wakePairs_, x.cols(), w);
 }
@@ -357,16 +355,77 @@ void Foam::aerosol::timeStepping::moveAll
     const scalar h,
     const particleArrays& p,
     const gasStep& gas,
-    const vectors& w0,
+    const bool withMiddle,
     equationOfMotion::state& end
 )
 {
-    with_.motion.predict(h, p, gas, w0, end);
-    wakesOfAll(end.x, gas.u1 - end.v, end.w);
-    with_.motion.correct(h, p, gas, w0, end);
+    const equationOfMotion& motion = with_.motion;
 
     ++effort_.particleSteps;
     effort_.particleMoves += p.size();
+
+    // As if there were no wakes, which is the end for most of them
+    motion.move(h, p, gas, {}, {}, false, end);
+
+    if (!motion.linear())
+    {
+        motion.move(h, p, gas, {}, {}, true, end);
+    }
+
+    if (!motion.hasWakes())
+    {
+        return;
+    }
+
+    gasStep& w = wakes_;
+
+    wakesAt(p.x, p.v, gas.u0, wakesX_.u0, wakesSlip_.u0, w.u0);
+    w.um.resize(3, 0);
+    w.u1.resize(3, 0);
+
+    // Nobody to move is not everybody
+    const auto move =
+    [&]
+    (
+        const scalar length,
+        const gasStep& air,
+        const bool withEnd,
+        equationOfMotion::state& to
+    )
+    {
+        if (!involved_.empty())
+        {
+            motion.move(length, p, air, w, involved_, withEnd, to);
+        }
+    };
+
+    if (withMiddle)
+    {
+        const gasStep firstHalf = gas.part(0, 0.5);
+        equationOfMotion::state middle;
+        middle.x.resize(3, p.size());
+        middle.v.resize(3, p.size());
+
+        move(0.5*h, firstHalf, false, middle);
+        wakesAt
+        (
+            middle.x, middle.v, firstHalf.u1, wakesX_.um, wakesSlip_.um, w.um
+        );
+        w.u1 = 2*w.um - w.u0;
+    }
+    else
+    {
+        wakesX_.um.resize(3, 0);
+        wakesSlip_.um.resize(3, 0);
+    }
+
+    move(h, gas, false, end);
+
+    vectors w1;
+    wakesAt(end.x, end.v, gas.u1, wakesX_.u1, wakesSlip_.u1, w1);
+    w.u1.swap(w1);
+
+    move(h, gas, true, end);
 }
 
 
@@ -383,181 +442,6 @@ void Foam::aerosol::timeStepping::fillPaths
         {end.x, copiesX1_, contactHalo_, true},
         {end.v, copiesV1_, contactHalo_, false}
     });
-}
-
-
-void Foam::aerosol::timeStepping::collide
-(
-    group& together,
-    const gasStep& gas,
-    const vectors& outside,
-    const scalar t,
-    const scalar h,
-    const int nCollision
-)
-{
-    particleArrays& p = together.p;
-    equationOfMotion::state& end = together.end;
-
-    const Eigen::Array3d period = with_.region.period();
-
-    // Particles that merged within this step began their path later
-    std::vector<double> begin;
-    std::vector<int> age;
-
-    const auto pathOf = [&](const int i) -> particlePath
-    {
-        return
-        {
-            p.x.col(i), p.v.col(i), end.x.col(i), end.v.col(i),
-            begin.empty() ? 0 : begin[i], h
-        };
-    };
-
-    const auto shiftOf = [&](const particlePair& pair) -> Eigen::Vector3d
-    {
-        return
-        {
-            pair.image[0]*period(0),
-            pair.image[1]*period(1),
-            pair.image[2]*period(2)
-        };
-    };
-
-    std::priority_queue<overlap> queue;
-
-    // The first time, from the given one on, at which a pair overlaps
-    const auto look = [&](const particlePair& pair, const double first)
-    {
-        const int i = pair.i;
-        const int j = pair.j;
-
-        if
-        (
-            i == j
-         || with_.contacts.absorbed(i)
-         || with_.contacts.absorbed(j)
-        )
-        {
-            return;
-        }
-
-        const double touch = 0.5*(p.d(i) + p.d(j));
-        const Eigen::Vector3d shift = shiftOf(pair);
-
-        const particlePath pathI = pathOf(i);
-        const particlePath pathJ = pathOf(j);
-
-        if (begin.empty() && pathI.staysAwayFrom(pathJ.moved(shift), touch))
-        {
-            return;
-        }
-
-        // Who touched without sticking does so again only after a separation
-        const bool onlyNew = with_.contacts.refused(p.id(i), p.id(j));
-
-        const double when =
-            nCollision > 0
-          ? particlePath::firstOverlap
-            (
-                pathI, pathJ, shift, touch, first, h, h/nCollision,
-                onlyNew
-            )
-          : particlePath::firstTouch
-            (
-                pathI, pathJ, shift, touch, first, h,
-                onlyNew
-            );
-
-        if (when <= h)
-        {
-            queue.push
-            ({
-                when, p.id(i), p.id(j), i, j, pair.image,
-                age.empty() ? 0 : age[i] + age[j]
-            });
-        }
-    };
-
-    for (const particlePair& pair : together.contactPairs)
-    {
-        look(pair, 0);
-    }
-
-    while (!queue.empty())
-    {
-        const overlap found = queue.top();
-        queue.pop();
-
-        const int i = found.i;
-        const int j = found.j;
-
-        if
-        (
-            with_.contacts.absorbed(i)
-         || with_.contacts.absorbed(j)
-         || found.age != (age.empty() ? 0 : age[i] + age[j])
-        )
-        {
-            continue;
-        }
-
-        const scalar when = found.time;
-        const particlePath pathI = pathOf(i);
-        const particlePath pathJ = pathOf(j);
-        const Eigen::Vector3d shift = shiftOf({i, j, found.image});
-
-        contactOutcome::encounter encounter;
-        encounter.i = i;
-        encounter.j = j;
-        encounter.xi = pathI.position(when);
-        encounter.xj = pathJ.position(when) + shift;
-        encounter.shift = shift;
-        encounter.vi = pathI.velocity(when);
-        encounter.vj = pathJ.velocity(when);
-        encounter.time = t + when;
-
-        const int survivor = with_.contacts.meet(p, encounter);
-
-        if (survivor < 0)
-        {
-            continue;
-        }
-
-        if (begin.empty())
-        {
-            begin.assign(p.size(), 0);
-            age.assign(p.size(), 0);
-        }
-
-        begin[survivor] = when;
-        ++age[survivor];
-
-        periods image = found.image;
-
-        if (survivor == j)
-        {
-            for (std::int8_t& n : image)
-            {
-                n = -n;
-            }
-        }
-
-        redirect(together, survivor, survivor == i ? j : i, image);
-
-        with_.motion.moveOn
-        (
-            survivor, when/h, h, p, together.wakePairs, gas, outside, end
-        );
-
-        for (const particlePair& pair : together.contactPairs)
-        {
-            if (pair.i == survivor || pair.j == survivor)
-            {
-                look(pair, when);
-            }
-        }
-    }
 }
 
 
@@ -600,7 +484,7 @@ Foam::aerosol::particlePath Foam::aerosol::timeStepping::pathOf
 {
     if (i < contactHalo_.n())
     {
-        return {p.x.col(i), p.v.col(i), end.x.col(i), end.v.col(i), 0, h};
+        return {p.x.col(i), p.v.col(i), end.x.col(i), end.v.col(i), h};
     }
 
     const int c = i - contactHalo_.n();
@@ -608,7 +492,7 @@ Foam::aerosol::particlePath Foam::aerosol::timeStepping::pathOf
     return
     {
         copiesX0_.col(c), copiesV0_.col(c), copiesX1_.col(c), copiesV1_.col(c),
-        0, h
+        h
     };
 }
 
@@ -617,7 +501,6 @@ std::vector<char> Foam::aerosol::timeStepping::meet
 (
     particleArrays& p,
     const gasStep& gas,
-    const vectors& w0,
     equationOfMotion::state& end,
     const scalar t,
     const scalar h,
@@ -661,7 +544,7 @@ std::vector<char> Foam::aerosol::timeStepping::meet
         (
             particlePath::firstOverlap
             (
-                a, b, Eigen::Vector3d::Zero(), touch, 0, h, h/nCollision,
+                a, b, touch, h/nCollision,
                 with_.contacts.refused(p.id(i), idJ)
             )
          <= h
@@ -677,75 +560,16 @@ std::vector<char> Foam::aerosol::timeStepping::meet
         return {};
     }
 
-    std::vector<group> groups = gatherGroups(p, gas, w0, end, steps);
+    std::vector<group> groups = gatherGroups(p, gas, steps);
 
     for (group& one : groups)
     {
-        vectors outside0;
-        vectors outside1;
-        outsideWakes(one, outside0, outside1);
-
-        collide(one, one.gas, outside1, t, h, nCollision);
-
-        one.absorbed = with_.contacts.takeAbsorbed(one.p.size());
+        follow(one, t, h, nCollision);
     }
 
     with_.contacts.share();
 
     return disperse(groups, p, end);
-}
-
-
-void Foam::aerosol::timeStepping::redirect
-(
-    group& together,
-    const int survivor,
-    const int absorbed,
-    const periods& image
-)
-{
-    // Contacts of the absorbed one become contacts of the survivor, which is
-    // where the absorbed one's copy at `image` was
-    for (particlePair& pair : together.contactPairs)
-    {
-        for (int k = 0; k < 3; ++k)
-        {
-            if (pair.i == absorbed)
-            {
-                pair.image[k] += image[k];
-            }
-            if (pair.j == absorbed)
-            {
-                pair.image[k] -= image[k];
-            }
-        }
-
-        if (pair.i == absorbed)
-        {
-            pair.i = survivor;
-        }
-        if (pair.j == absorbed)
-        {
-            pair.j = survivor;
-        }
-    }
-
-    // Its wake is gone
-    std::vector<particlePair>& wakePairs = together.wakePairs;
-
-    wakePairs.erase
-    (
-        std::remove_if
-        (
-            wakePairs.begin(),
-            wakePairs.end(),
-            [&](const particlePair& pair)
-            {
-                return pair.i == absorbed || pair.j == absorbed;
-            }
-        ),
-        wakePairs.end()
-    );
 }
 
 
