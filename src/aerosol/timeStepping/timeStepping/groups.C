@@ -615,9 +615,6 @@ void Foam::aerosol::timeStepping::follow
     const int nCollision
 )
 {
-    // How often the wakes within a group are worked out anew
-    constexpr int nIterations = 2;
-
     // Distance from contact that is no distance, in distances
     constexpr double closed = 1e-10;
 

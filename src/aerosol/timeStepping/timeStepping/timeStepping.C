@@ -389,43 +389,60 @@ void Foam::aerosol::timeStepping::moveAll
     (
         const scalar length,
         const gasStep& air,
+        const gasStep& wakes,
         const bool withEnd,
         equationOfMotion::state& to
     )
     {
         if (!involved_.empty())
         {
-            motion.move(length, p, air, w, involved_, withEnd, to);
+            motion.move(length, p, air, wakes, involved_, withEnd, to);
         }
     };
 
-    if (withMiddle)
-    {
-        const gasStep firstHalf = gas.part(0, 0.5);
-        equationOfMotion::state middle;
-        middle.x.resize(3, p.size());
-        middle.v.resize(3, p.size());
+    vectors found;
 
-        move(0.5*h, firstHalf, false, middle);
-        wakesAt
-        (
-            middle.x, middle.v, firstHalf.u1, wakesX_.um, wakesSlip_.um, w.um
-        );
-        w.u1 = 2*w.um - w.u0;
-    }
-    else
+    if (!withMiddle)
     {
         wakesX_.um.resize(3, 0);
         wakesSlip_.um.resize(3, 0);
+
+        move(h, gas, w, false, end);
+        wakesAt(end.x, end.v, gas.u1, wakesX_.u1, wakesSlip_.u1, found);
+        w.u1.swap(found);
+        move(h, gas, w, true, end);
+
+        return;
     }
 
-    move(h, gas, false, end);
+    const gasStep firstHalf = gas.part(0, 0.5);
+    equationOfMotion::state middle;
 
-    vectors w1;
-    wakesAt(end.x, end.v, gas.u1, wakesX_.u1, wakesSlip_.u1, w1);
-    w.u1.swap(w1);
+    for (int n = 0; n < nIterations; ++n)
+    {
+        // First with the wakes of the beginning, later with those just found
+        const bool again = n > 0;
 
-    move(h, gas, true, end);
+        move
+        (
+            0.5*h, firstHalf, again ? w.part(0, 0.5) : w, again, middle
+        );
+        wakesAt
+        (
+            middle.x, middle.v, firstHalf.u1, wakesX_.um, wakesSlip_.um, found
+        );
+        w.um.swap(found);
+
+        if (!again)
+        {
+            w.u1 = 2*w.um - w.u0;
+            move(h, gas, w, false, end);
+        }
+
+        wakesAt(end.x, end.v, gas.u1, wakesX_.u1, wakesSlip_.u1, found);
+        w.u1.swap(found);
+        move(h, gas, w, true, end);
+    }
 }
 
 
