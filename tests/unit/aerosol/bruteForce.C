@@ -410,7 +410,14 @@ double Foam::aerosol::testTools::bruteForce::endAt
 
 void Foam::aerosol::testTools::bruteForce::merge(int i, int j)
 {
-    contacts_.push_back({std::minmax(id_[i], id_[j]), t_});
+    const Eigen::Array3d half = 0.5*relative(y_, i, j).first;
+
+    contacts_.push_back
+    ({
+        std::minmax(id_[i], id_[j]),
+        t_,
+        Eigen::Vector3d(y_(i, 0), y_(i, 1), y_(i, 2)) + half.matrix()
+    });
 
     if (m_(j) > m_(i) || (m_(j) == m_(i) && id_[j] < id_[i]))
     {

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iostream>
 #include <random>
 
 using namespace Foam;
@@ -54,6 +55,26 @@ particleArrays cluster(const int seed)
         }
         i += apart;
     }
+    return p;
+}
+
+
+//- The same on their periodic paths, as if they were alone
+particleArrays onOrbits(const int seed)
+{
+    particleArrays p = cluster(seed);
+
+    for (int i = 0; i < p.size(); ++i)
+    {
+        const double Kn = 2*gasProperties::air().meanFreePath/p.d(i);
+        const double tau =
+            relaxationTime(p.d(i), density)
+           *(1 + Kn*(1.257 + 0.4*std::exp(-1.1/Kn)));
+
+        p.v(0, i) = periodicVelocity(2*pi*pitch, tau, amplitude);
+        p.v(1, i) = -9.81*(1 - gasProperties::air().rho/density)*tau;
+    }
+
     return p;
 }
 
@@ -109,25 +130,40 @@ void step
 }
 
 
-//- That the code finds what the reference finds, with an error of second order
-//  in h: half the step, a quarter of the error of the time of the first
-//  contact, with 15 % to spare for the spread of the medians. In a crowd one
-//  set in ten may find another pair, as where one grazes; that is not looked
-//  into. There is no bound on the error itself: it is some percent of a step,
-//  where wakes rule.
-void expectTheSame
+//- How the code does against the reference, which knows nothing of it
+struct comparison
+{
+    //- Sets in which there is a contact, and those of them in which the first
+    //  pair, and the whole order of contacts, is the same
+    int sets = 0;
+    int samePair = 0;
+    int sameOrder = 0;
+
+    //- Errors of the time, in fluid steps, and of the place of the first
+    //  contact, in the way of the gas in a fluid step; of the times of all
+    std::vector<double> time;
+    std::vector<double> place;
+    std::vector<double> all;
+
+    static double quantile(std::vector<double> values, const double q)
+    {
+        std::sort(values.begin(), values.end());
+        return values.at(std::size_t(q*(values.size() - 1) + 0.5));
+    }
+};
+
+
+comparison compare
 (
     const std::function<particleArrays(int)>& particles,
     const int nSets,
     const bruteForce::conditions& law,
-    const std::string& type
+    const std::string& type,
+    const int perPeriod
 )
 {
-    const std::array<int, 2> perPeriod{50, 100};
-
-    int sets = 0;
-    std::array<int, 2> sameOrder{};
-    std::array<std::vector<double>, 2> errors;
+    const double h = period/perPeriod;
+    comparison result;
 
     for (int seed = 1; seed <= nSets; ++seed)
     {
@@ -141,57 +177,90 @@ void expectTheSame
         {
             continue;
         }
-        ++sets;
+        ++result.sets;
 
-        for (int k = 0; k < 2; ++k)
+        // The code may be late
+        step(p, law, type, 0.28*period, perPeriod);
+
+        std::stable_sort
+        (
+            meetings.begin(), meetings.end(),
+            [](const meeting& a, const meeting& b)
+            {
+                return a.time < b.time;
+            }
+        );
+
+        for (const auto& contact : expected)
         {
-            // The code may be late
-            step(p, law, type, 0.28*period, perPeriod[k]);
-
-            std::stable_sort
+            const auto same = std::find_if
             (
                 meetings.begin(), meetings.end(),
-                [](const meeting& a, const meeting& b)
-                {
-                    return a.time < b.time;
-                }
+                [&](const meeting& m) { return m.pair() == contact.ids; }
             );
 
-            if (meetings.size() && meetings[0].pair() == expected[0].ids)
+            if (same != meetings.end())
             {
-                errors[k].push_back
-                (
-                    std::abs(meetings[0].time - expected[0].time)
-                );
+                result.all.push_back(std::abs(same->time - contact.time)/h);
             }
-
-            sameOrder[k] +=
-                meetings.size() >= expected.size()
-             && std::equal
-                (
-                    expected.begin(), expected.end(), meetings.begin(),
-                    [](const bruteForce::contact& a, const meeting& b)
-                    {
-                        return a.ids == b.pair();
-                    }
-                );
         }
+
+        if (meetings.size() && meetings[0].pair() == expected[0].ids)
+        {
+            ++result.samePair;
+            result.time.push_back
+            (
+                std::abs(meetings[0].time - expected[0].time)/h
+            );
+
+            vec apart =
+                0.5*(meetings[0].xi + meetings[0].xj) - expected[0].place;
+            if (law.length > 0)
+            {
+                apart -=
+                    law.length*(apart/law.length).array().round().matrix();
+            }
+            result.place.push_back(apart.norm()/(h*amplitude));
+        }
+
+        result.sameOrder +=
+            meetings.size() >= expected.size()
+         && std::equal
+            (
+                expected.begin(), expected.end(), meetings.begin(),
+                [](const bruteForce::contact& a, const meeting& b)
+                {
+                    return a.ids == b.pair();
+                }
+            );
     }
 
-    ASSERT_GE(sets, 10);
+    std::cout
+        << "    " << type << " T/" << perPeriod << ": " << result.samePair
+        << " first pairs and " << result.sameOrder << " orders of "
+        << result.sets << " sets; time of the first in fluid steps, median "
+        << comparison::quantile(result.time, 0.5) << ", 90 % below "
+        << comparison::quantile(result.time, 0.9) << ", place "
+        << comparison::quantile(result.place, 0.9) << "; of all "
+        << comparison::quantile(result.all, 0.5) << ", "
+        << comparison::quantile(result.all, 0.9) << std::endl;
 
-    std::array<double, 2> medians;
+    return result;
+}
 
-    for (int k = 0; k < 2; ++k)
-    {
-        ASSERT_GE(errors[k].size(), 0.9*sets) << perPeriod[k];
-        EXPECT_GE(sameOrder[k], 0.9*sets) << perPeriod[k];
 
-        std::sort(errors[k].begin(), errors[k].end());
-        medians[k] = errors[k][errors[k].size()/2];
-    }
-
-    EXPECT_LT(medians[1], 1.15*medians[0]/4);
+//- Who, when and where, to 1e-3 of a fluid step. Contacts that come in the step
+//  of another one and after it are found later or sooner by a part of that
+//  step: those outside of a group feel what has merged there from the next
+//  step on.
+void expectTheSame(const comparison& c)
+{
+    EXPECT_GE(c.sets, 20);
+    EXPECT_EQ(c.samePair, c.sets);
+    EXPECT_GE(c.sameOrder, 0.95*c.sets);
+    EXPECT_LT(comparison::quantile(c.time, 0.9), 1e-3);
+    EXPECT_LT(comparison::quantile(c.place, 0.9), 1e-3);
+    EXPECT_LT(comparison::quantile(c.all, 0.5), 1e-3);
 }
 
 } // End anonymous namespace
@@ -338,21 +407,66 @@ TEST(bruteForce, isConverged)
 }
 
 
-TEST(eventDriven, findsTheFirstContactsOfBruteForce)
+TEST(eventDriven, findsTheContactsOfBruteForce)
 {
-    expectTheSame(cluster, 40, conditions(400, 0), eventDriven);
+    expectTheSame
+    (
+        compare(onOrbits, 40, conditions(400, 0), eventDriven, 50)
+    );
 }
 
 
-TEST(eventDriven, findsTheFirstContactsOfBruteForceInABox)
+TEST(multipleTimeStep, findsTheContactsOfBruteForce)
 {
-    // The same with images, and with wakes that end at half of the box at the
-    // most
     expectTheSame
     (
-        [](const int seed) { return box(seed); },
-        30, conditions(5, boxLength), eventDriven
+        compare
+        (
+            onOrbits, 40, conditions(400, 0),
+            "type multipleTimeStep; kp 0.1; kc 0.02;", 200
+        )
     );
+}
+
+
+TEST(eventDriven, findsContactsAtTimesOfSecondOrder)
+{
+    // At rest in gas that begins to move: slips change within less than a step.
+    // Half the step, a quarter of the error or less, with 15 % to spare for the
+    // spread of the medians.
+    std::array<double, 2> medians;
+
+    for (const int k : {0, 1})
+    {
+        const int perPeriod = k ? 100 : 50;
+        const comparison c =
+            compare(cluster, 40, conditions(400, 0), eventDriven, perPeriod);
+
+        EXPECT_GE(c.sets, 20);
+        EXPECT_EQ(c.samePair, c.sets);
+        medians[k] = comparison::quantile(c.time, 0.5)/perPeriod;
+    }
+
+    EXPECT_LT(medians[1], 1.15*medians[0]/4);
+}
+
+
+TEST(eventDriven, findsTheContactsOfBruteForceInABox)
+{
+    // With images, and with wakes that end at half of the box at the most:
+    // where a wake ends it jumps, here by a seventh of the slip, and it is felt
+    // or not for whole steps by those far away. That moves contacts by some
+    // percent of a step.
+    const comparison c = compare
+    (
+        [](const int seed) { return box(seed, amplitude); },
+        30, conditions(5, boxLength), eventDriven, 50
+    );
+
+    EXPECT_GE(c.sets, 10);
+    EXPECT_GE(c.samePair, 0.95*c.sets);
+    EXPECT_GE(c.sameOrder, 0.9*c.sets);
+    EXPECT_LT(comparison::quantile(c.time, 0.5), 0.1);
 }
 
 
