@@ -322,9 +322,8 @@ void Foam::aerosol::aerosolCloud::checkTolerance() const
     const wake& model = motion_.wakeModel();
     const dictionary& dict = dict_.subDict("wake");
 
-    const char* const choices =
-        ". Give 'range' in this dictionary, a number of diameters of the"
-        " source, instead";
+    const char* const remedy =
+        "give 'range', a number of diameters of the source, in this dictionary";
 
     if
     (
@@ -337,7 +336,7 @@ void Foam::aerosol::aerosolCloud::checkTolerance() const
             << "The range of the wakes cannot be worked out from a tolerance:"
             << " the velocity amplitude of the sound is not known. Give its"
             << " expected level, 'SPL' or 'velocityAmplitude', in"
-            << " constant/acousticProperties" << choices
+            << " constant/acousticProperties, or " << remedy
             << exit(FatalIOError);
     }
 
@@ -351,7 +350,7 @@ void Foam::aerosol::aerosolCloud::checkTolerance() const
             << "The range of the wakes has no default: without sound it comes"
             << " from the settling speed of the particles, which is"
             << (model.tolerance() > 0 ? " unlimited without drag" : " zero")
-            << choices
+            << ": " << remedy
             << exit(FatalIOError);
     }
 }

@@ -8,6 +8,7 @@ import re
 import shutil
 
 import pytest
+from aerosolcase import AerosolCase
 
 ACOUSTIC = "constant/acousticProperties"
 AEROSOL = "constant/aerosolProperties"
@@ -335,7 +336,7 @@ def test_wakes_without_slip_have_no_default_range(box):
     box.replace(AEROSOL, r"range +20;", "")
     box.replace(AEROSOL, r"type +uniform;\s*value[^;]*;", "type none;")
     log = box.run("acousticDEMFoam", status=1)
-    check_refusal(log, AEROSOL, "no default: .* is zero. Give 'range'")
+    check_refusal(log, AEROSOL, "no default: .* is zero: give 'range'")
 
 
 def test_wakes_without_drag_have_no_default_range(box):
@@ -343,7 +344,18 @@ def test_wakes_without_drag_have_no_default_range(box):
     box.replace(AEROSOL, r"range +20;", "")
     box.replace(AEROSOL, r"type +Stokes;", "type none;")
     log = box.run("acousticDEMFoam", status=1)
-    check_refusal(log, AEROSOL, "no default: .* without drag. Give 'range'")
+    check_refusal(log, AEROSOL, "no default: .* without drag: give 'range'")
+
+
+@pytest.mark.parametrize("wake", ["type Oseen;", "type Oseen; tolerance 1;"])
+def test_ranges_need_the_level_of_the_sound(tmp_path, wake):
+    """What is solved on the mesh is not known before."""
+    case = AerosolCase(tmp_path/"case", "flyAshChamber")
+    case.run("blockMesh")
+    case.replace(ACOUSTIC, r"SPL +[^;]*;", "")
+    case.model("wake", wake)
+    log = case.run("acousticDEMFoam", status=1)
+    check_refusal(log, AEROSOL, "'SPL' or .* or give 'range'")
 
 
 def test_the_base_case_runs(box):
