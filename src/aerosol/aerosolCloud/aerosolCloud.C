@@ -10,6 +10,7 @@
 #include "particleSource.H"
 #include "Time.H"
 
+#include <algorithm>
 #include <sstream>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -72,7 +73,13 @@ Foam::aerosol::aerosolCloud::aerosolCloud
     sound_(sound),
     domain_(domain::New(dict_.subDict("domain"))),
     bricks_(*domain_),
-    motion_(dict_, sound.gas(), domain_->period()),
+    motion_
+    (
+        dict_,
+        sound.gas(),
+        domain_->period(),
+        {sound.frequency(), sound.expectedAmplitude()}
+    ),
     contacts_(dict_),
     timeStepping_
     (
@@ -123,19 +130,18 @@ Foam::aerosol::aerosolCloud::aerosolCloud
     if (isNew_)
     {
         makeParticles();
-        motion_.refresh(particles_);
+        applyLaws(dictionary());
         checkRanges();
     }
     else
     {
-        readParticles();
-        motion_.refresh(particles_);
+        applyLaws(readParticles());
         checkGrowth();
     }
 
     checkSound();
 
-    Info<< summary().c_str() << nl << endl;
+    Info<< summary().c_str() << nl << rangesOfWakes().c_str() << endl;
 
     // Up to here every rank has all of them
     bricks_.keepOwn(particles_);
@@ -197,7 +203,7 @@ void Foam::aerosol::aerosolCloud::requireKnownModels() const
 }
 
 
-void Foam::aerosol::aerosolCloud::readParticles()
+Foam::dictionary Foam::aerosol::aerosolCloud::readParticles()
 {
     const dictionary state = files_.read(particles_);
 
@@ -226,6 +232,8 @@ void Foam::aerosol::aerosolCloud::readParticles()
 
     Info<< "Continuing with the " << particles_.size()
         << " particles of time " << mesh_.time().timeName() << nl;
+
+    return state;
 }
 
 
@@ -294,13 +302,114 @@ void Foam::aerosol::aerosolCloud::checkInside() const
 }
 
 
+void Foam::aerosol::aerosolCloud::applyLaws(const dictionary& state)
+{
+    if (motion_.wakeModel().needsTolerance())
+    {
+        // Aggregates of a restart would give another one
+        if (state.found("wakeTolerance"))
+        {
+            motion_.setTolerance(state.get<scalar>("wakeTolerance"));
+        }
+        else
+        {
+            motion_.chooseTolerance(particles_);
+        }
+    }
+
+    checkTolerance();
+    motion_.refresh(particles_);
+}
+
+
+void Foam::aerosol::aerosolCloud::checkTolerance() const
+{
+    const wake& model = motion_.wakeModel();
+    const dictionary& dict = dict_.subDict("wake");
+
+    const char* const remedy =
+        "give 'range', a number of diameters of the source, in this dictionary";
+
+    if
+    (
+        (model.needsTolerance() || model.tolerance() > 0)
+     && sound_.frequency() > 0
+     && sound_.expectedAmplitude() < 0
+    )
+    {
+        FatalIOErrorInFunction(dict)
+            << "The range of the wakes cannot be worked out from a tolerance:"
+            << " the velocity amplitude of the sound is not known. Give its"
+            << " expected level, 'SPL' or 'velocityAmplitude', in"
+            << " constant/acousticProperties, or " << remedy
+            << exit(FatalIOError);
+    }
+
+    if
+    (
+        model.needsTolerance()
+     && (model.tolerance() <= 0 || model.tolerance() > 0.1*GREAT)
+    )
+    {
+        FatalIOErrorInFunction(dict)
+            << "The range of the wakes has no default: without sound it comes"
+            << " from the settling speed of the particles, which is"
+            << (model.tolerance() > 0 ? " unlimited without drag" : " zero")
+            << ": " << remedy
+            << exit(FatalIOError);
+    }
+}
+
+
+std::string Foam::aerosol::aerosolCloud::rangesOfWakes() const
+{
+    std::ostringstream os;
+
+    if (!motion_.hasWakes() || !particles_.size())
+    {
+        return os.str();
+    }
+
+    const wake& model = motion_.wakeModel();
+    const int n = particles_.size();
+
+    scalars range = particles_.range;
+    std::sort(range.data(), range.data() + n);
+
+    os  << "Wakes act up to " << 1e6*range(0) << " um (smallest), "
+        << 1e6*range(n/2) << " um (median), " << 1e6*range(n - 1)
+        << " um (largest range);\n    "
+        << 4.0/3*constant::mathematical::pi*range.cube().sum()/domain_->volume()
+        << " of them on each particle; ";
+
+    if (model.tolerance() > 0)
+    {
+        os  << "beyond, each is below the "
+            << (model.needsTolerance() ? "default " : "") << "tolerance, "
+            << model.tolerance() << " m/s"
+            << (model.needsTolerance() ? ", or has no time to arise\n" : "\n");
+    }
+    else
+    {
+        os  << "a fixed number of diameters\n";
+    }
+
+    return os.str();
+}
+
+
 void Foam::aerosol::aerosolCloud::checkRanges() const
 {
     const dictionary& dict = dict_.subDict("domain");
     const scalar shortest = domain_->bounds().minDim();
 
     // A particle must not feel a neighbour and its image at once
-    const auto requireRange = [&](const char* what, const scalar range)
+    const auto requireRange = [&]
+    (
+        const char* what,
+        const scalar range,
+        const char* remedy
+    )
     {
         if (2*range > shortest)
         {
@@ -309,13 +418,21 @@ void Foam::aerosol::aerosolCloud::checkRanges() const
                 << " m, is less than twice the largest " << what << ", "
                 << range << " m: particles would meet a neighbour and its"
                 << " periodic image at once. Make the domain larger or the "
-                << what << " smaller"
+                << what << " smaller" << remedy
                 << exit(FatalIOError);
         }
     };
 
-    requireRange("range of contact", particles_.d.maxCoeff());
-    requireRange("range of the wakes", particles_.range.maxCoeff());
+    requireRange("range of contact", particles_.d.maxCoeff(), "");
+    requireRange
+    (
+        "range of the wakes",
+        particles_.range.maxCoeff(),
+        motion_.wakeModel().tolerance() > 0
+      ? ", by a larger 'tolerance' or by a fixed 'range' in the dictionary"
+        " 'wake'"
+      : ", by 'range' in the dictionary 'wake'"
+    );
 }
 
 
@@ -437,6 +554,11 @@ Foam::dictionary Foam::aerosol::aerosolCloud::state() const
     dict.add("sizeBins", sizeBins_);
     dict.add("domainWas", dict_.subDict("domain"));
     dict.add("particlesWere", dict_.subDict("particles"));
+
+    if (motion_.wakeModel().needsTolerance())
+    {
+        dict.add("wakeTolerance", motion_.wakeModel().tolerance());
+    }
 
     return dict;
 }

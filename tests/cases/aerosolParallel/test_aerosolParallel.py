@@ -95,6 +95,24 @@ def test_is_that_of_one_rank(stepping, ranks):
     assert_same(serial, run_on(make(f"ranks{ranks}"), ranks))
 
 
+def test_ranges_by_default(tmp_path, meshed):
+    """Wakes act as far as the sizes and the sound say."""
+    clouds = []
+
+    for ranks in (1, 3):
+        case = AerosolCase(tmp_path/f"ranks{ranks}", meshed)
+        case.model("timeStepping", STEPPINGS["eventDriven"])
+        case.model("wake", "type Oseen;")
+        case.aerosol("numberConcentration", "2e13")
+        case.replace(
+            "constant/aerosolProperties", "domain",
+            "report { contacts yes; }\n\ndomain",
+        )
+        clouds.append(run_on(case, ranks))
+
+    assert_same(*clouds)
+
+
 def test_ranks_without_particles(tmp_path, meshed):
     """Three particles in one corner of the box, which settle and meet."""
     clouds = []

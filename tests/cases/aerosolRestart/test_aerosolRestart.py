@@ -56,12 +56,19 @@ def same_tables(one, other, start):
             assert np.array_equal(values, b[column][keep]), (name, column)
 
 
-@pytest.mark.parametrize("writeFormat", ["binary", "ascii"])
-def test_continues(tmp_path, meshed, writeFormat):
+@pytest.mark.parametrize("writeFormat, wake", [
+    ("binary", "type Oseen; range 20;"),
+    ("ascii", "type Oseen; range 20;"),
+    ("binary", "type Oseen;"),
+    ("ascii", "type Oseen;"),
+])
+def test_continues(tmp_path, meshed, writeFormat, wake):
     whole = prepare(tmp_path/"whole", meshed, writeFormat)
+    whole.model("wake", wake)
     whole.run("acousticDEMFoam")
 
     parts = prepare(tmp_path/"parts", meshed, writeFormat)
+    parts.model("wake", wake)
     parts.control("endTime", repr(20*STEP))
     parts.run("acousticDEMFoam")
     start = float(parts.times()[-1])

@@ -8,6 +8,7 @@ import re
 import shutil
 
 import pytest
+from aerosolcase import AerosolCase
 
 ACOUSTIC = "constant/acousticProperties"
 AEROSOL = "constant/aerosolProperties"
@@ -33,7 +34,6 @@ BAD = {
     "noCentre": (AEROSOL, r"centre [^;]*;", "", "Entry 'centre' not found"),
     "noSize": (AEROSOL, SIZE, "", "Entry 'size' not found"),
     "noMedian": (AEROSOL, r"median [^;]*;", "", "Entry 'median' not found"),
-    "noRange": (AEROSOL, r"range [^;]*;", "", "Entry 'range' not found"),
     "noKc": (AEROSOL, r"kc [^;]*;", "", "Entry 'kc' not found"),
     "noGravity": (AEROSOL, r"value [^;]*;", "", "Entry 'value' not found"),
     "noSlip": (
@@ -57,6 +57,10 @@ BAD = {
     "twoNumbers": (
         AEROSOL, NUMBER, "numberConcentration 1e12; count 100;",
         "either 'numberConcentration' or 'count', .* has both",
+    ),
+    "rangeAndTolerance": (
+        AEROSOL, r"range +20;", "range 20; tolerance 5e-3;",
+        "either 'range' .* or 'tolerance' .* or neither .* has both",
     ),
     "noNumber": (
         AEROSOL, NUMBER, "",
@@ -90,6 +94,9 @@ BAD = {
     ),
     "negativeRange": (
         AEROSOL, "range +20", "range -20", "'range' .* is -20, .* positive",
+    ),
+    "zeroTolerance": (
+        AEROSOL, "range +20", "tolerance 0", "'tolerance' .* is 0, .* positive",
     ),
     "zeroKc": (AEROSOL, r"kc +0\.1", "kc 0", "'kc' .* is 0, .* positive"),
     "negativeKp": (AEROSOL, r"kp +1", "kp -1", "'kp' .* is -1, .* positive"),
@@ -187,7 +194,19 @@ BAD = {
 
     # Places
     "boxOutside": (AEROSOL, r"0\.0613 0 0", "0 0 0", "leaves the mesh"),
-    "boxForWakes": (AEROSOL, "range +20", "range 60", "range of the wakes"),
+    "boxForWakes": (
+        AEROSOL, "range +20", "range 60",
+        "range of the wakes smaller, by 'range' in .* 'wake'",
+    ),
+    "boxForTolerance": (
+        AEROSOL, "range +20", "tolerance 1e-3",
+        "range of the wakes smaller, by a larger 'tolerance' or by a fixed"
+        " 'range' in .* 'wake'",
+    ),
+    "toleranceOfLength": (
+        AEROSOL, "range +20", "tolerance [0 1 0 0 0 0 0] 1e-3",
+        "'tolerance' .* has the dimensions",
+    ),
     "boxForParticles": (
         AEROSOL, "max +10e-6", "max 1e-3", "largest particles, .* do not fit",
     ),
@@ -233,6 +252,10 @@ BAD = {
     ),
 
     # Entries that nobody reads
+    "typoInTolerance": (
+        AEROSOL, "range +20", "tolerence 1",
+        "Unknown .* 'tolerence' .* tolerance",
+    ),
     "typoInSeed": (AEROSOL, r"\bseed\b", "sed", "Unknown .* 'sed' .* seed"),
     "typoInSound": (
         ACOUSTIC, "SPL", "directon (0 1 0); SPL",
@@ -305,6 +328,34 @@ def test_needs_the_dictionary(box, name):
     # That of a file as a whole has no lines
     check_refusal(log, None, f"'{name}' not found")
     assert f"file: {box.path/file}" in log
+
+
+def test_wakes_without_slip_have_no_default_range(box):
+    """Neither sound nor gravity say how far they should act."""
+    box.replace(ACOUSTIC, r"(?s)type.*antinode", "type quiescent;")
+    box.replace(AEROSOL, r"range +20;", "")
+    box.replace(AEROSOL, r"type +uniform;\s*value[^;]*;", "type none;")
+    log = box.run("acousticDEMFoam", status=1)
+    check_refusal(log, AEROSOL, "no default: .* is zero: give 'range'")
+
+
+def test_wakes_without_drag_have_no_default_range(box):
+    box.replace(ACOUSTIC, r"(?s)type.*antinode", "type quiescent;")
+    box.replace(AEROSOL, r"range +20;", "")
+    box.replace(AEROSOL, r"type +Stokes;", "type none;")
+    log = box.run("acousticDEMFoam", status=1)
+    check_refusal(log, AEROSOL, "no default: .* without drag: give 'range'")
+
+
+@pytest.mark.parametrize("wake", ["type Oseen;", "type Oseen; tolerance 1;"])
+def test_ranges_need_the_level_of_the_sound(tmp_path, wake):
+    """What is solved on the mesh is not known before."""
+    case = AerosolCase(tmp_path/"case", "flyAshChamber")
+    case.run("blockMesh")
+    case.replace(ACOUSTIC, r"SPL +[^;]*;", "")
+    case.model("wake", wake)
+    log = case.run("acousticDEMFoam", status=1)
+    check_refusal(log, AEROSOL, "'SPL' or .* or give 'range'")
 
 
 def test_the_base_case_runs(box):

@@ -404,7 +404,7 @@ TEST(OseenWake, reachesSoManyDiametersOfTheSource)
     scalars d(3);
     d << 1e-6, 5e-6, 2e-5;
 
-    const scalars range = make("type Oseen; range 20;")->range(d);
+    const scalars range = make("type Oseen; range 20;")->range(d, 0*d);
 
     ASSERT_EQ(range.size(), 3);
     EXPECT_NEAR(range(0), 2e-5, 1e-18);
@@ -413,13 +413,116 @@ TEST(OseenWake, reachesSoManyDiametersOfTheSource)
 
     EXPECT_TRUE(make("type Oseen; range 20;")->active());
     EXPECT_FALSE(make("type none;")->active());
-    EXPECT_TRUE((make("type none;")->range(d) == 0).all());
+    EXPECT_TRUE((make("type none;")->range(d, d) == 0).all());
+}
+
+
+TEST(OseenWake, nowhereExceedsItsBound)
+{
+    const double nu = gasProperties::air().nu();
+    const double a = 3e-6;
+    randomNumbers random(6);
+
+    for (const char* type : {"Oseen", "ProudmanPearson"})
+    {
+        const bool all = type == std::string("Oseen");
+        std::vector<source> sources;
+
+        const auto add = [&]
+        (
+            const double R, const double Re, const double c, const vec& across
+        )
+        {
+            const double s = std::sqrt(std::max(0.0, 1 - c*c));
+            sources.push_back
+            ({
+                a*R*(c*vec::UnitX() + s*across),
+                vec(Re*nu/(2*a), 0, 0),
+                a
+            });
+        };
+
+        for (double R = all ? 1 : 5; R < 1e5; R *= 1.3)
+        {
+            for (double Re = 1e-8; Re < 1e3; Re *= 3)
+            {
+                for (int m = 0; m <= 40; ++m)
+                {
+                    add(R, Re, std::cos(pi*m/40), vec::UnitY());
+                }
+
+                // The edge of the wake, chi of order one
+                add
+                (
+                    R, Re,
+                    std::max(-1.0, 1 - random.logUniform(0.01, 100)/(R*Re)),
+                    vec::UnitZ()
+                );
+            }
+        }
+
+        const std::vector<vec> v = disturbances(type, sources);
+        double largest = 0;
+
+        for (std::size_t n = 0; n < v.size(); ++n)
+        {
+            const source& s = sources[n];
+            const double bound = 1.5*s.slip.norm()*s.radius/s.r.norm();
+
+            largest = std::max(largest, v[n].norm()/bound);
+        }
+
+        EXPECT_LT(largest, 1 + 1e-12) << type;
+
+        // and it is not larger than it need be
+        EXPECT_GT(largest, 1 - 1e-6) << type;
+    }
+}
+
+
+TEST(OseenWake, reachesToWhereItIsBelowTheTolerance)
+{
+    scalars d(3);
+    d << 1e-6, 5e-6, 2e-5;
+    scalars slip(3);
+    slip << 0, 0.1, 1.2;
+
+    const auto Oseen = make("type Oseen; tolerance 5e-3;");
+    const scalars range = Oseen->range(d, slip);
+
+    EXPECT_EQ(range(0), 0);
+    EXPECT_NEAR(range(1)/(1.5*2.5e-6*0.1/5e-3), 1, 1e-14);
+    EXPECT_NEAR(range(2)/(1.5*1e-5*1.2/5e-3), 1, 1e-14);
+    EXPECT_EQ(Oseen->tolerance(), 5e-3);
+    EXPECT_FALSE(Oseen->needsTolerance());
+
+    // Near the source another flow, of which the bound is not one
+    const scalars other =
+        make("type ProudmanPearson; tolerance 5e-3;")->range(d, slip);
+
+    EXPECT_NEAR(other(0), 2.5e-6, 1e-20);
+    EXPECT_NEAR(other(1), 75e-6, 1e-18);
+    EXPECT_EQ(other(2), range(2));
+
+    // Left to be chosen
+    auto open = make("type Oseen;");
+    EXPECT_TRUE(open->needsTolerance());
+    EXPECT_THROW(open->range(d, slip), error);
+    open->setTolerance(5e-3);
+    EXPECT_TRUE((open->range(d, slip) == range).all());
+
+    EXPECT_EQ(make("type Oseen; range 20;")->tolerance(), 0);
+    EXPECT_FALSE(make("type Oseen; range 20;")->needsTolerance());
+    EXPECT_FALSE(make("type none;")->needsTolerance());
 }
 
 
 TEST(OseenWake, rejectsWhatMakesNoSense)
 {
-    EXPECT_THROW(make("type Oseen;"), IOerror);
+    EXPECT_THROW(make("type Oseen; range 20; tolerance 5e-3;"), IOerror);
+    EXPECT_THROW(make("type Oseen; tolerance 0;"), IOerror);
+    EXPECT_THROW(make("type Oseen; tolerance -1;"), IOerror);
+    EXPECT_THROW(make("type Oseen; tolerence 1;"), IOerror);
     EXPECT_THROW(make("type Oseen; range 0;"), IOerror);
     EXPECT_THROW(make("type Oseen; range -20;"), IOerror);
     EXPECT_THROW(make("type Osen; range 20;"), IOerror);

@@ -53,14 +53,16 @@ Foam::aerosol::equationOfMotion::equationOfMotion
 (
     const dictionary& dict,
     const gasProperties& gas,
-    const Eigen::Array3d& period
+    const Eigen::Array3d& period,
+    const slipBound& slips
 )
 :
     gas_(gas),
     drag_(drag::New(dict.subDict("drag"))),
     gravity_(gravity::New(dict.subDict("gravity"))),
     wake_(wake::New(dict.subDict("wake"))),
-    period_(period)
+    period_(period),
+    slips_(slips)
 {}
 
 
@@ -273,6 +275,23 @@ void Foam::aerosol::equationOfMotion::move
 }
 
 
+void Foam::aerosol::equationOfMotion::chooseTolerance(const particleArrays& p)
+{
+    wake_->setTolerance
+    (
+        slips_.tolerance
+        (
+            p.d,
+            slipBound::settling
+            (
+                drag_->StokesRate(p, gas_),
+                gravity_->acceleration(p, gas_)
+            )
+        )
+    );
+}
+
+
 void Foam::aerosol::equationOfMotion::refresh
 (
     particleArrays& particles,
@@ -283,7 +302,18 @@ void Foam::aerosol::equationOfMotion::refresh
 
     particles.rate(i) = drag_->StokesRate(one, gas_)(0);
     particles.acceleration.col(i) = gravity_->acceleration(one, gas_).col(0);
-    particles.range(i) = wake_->range(one.d)(0);
+
+    const scalars slip = slips_.slip
+    (
+        scalars::Constant(1, particles.rate(i)),
+        particles.acceleration.col(i)
+    );
+    const scalar range = wake_->range(one.d, slip)(0);
+
+    particles.range(i) =
+        wake_->needsTolerance()
+      ? std::min(range, slips_.longestRange(slip(0), gas_.nu()))
+      : range;
 }
 
 

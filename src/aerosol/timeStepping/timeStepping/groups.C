@@ -443,7 +443,13 @@ Foam::aerosol::timeStepping::outsideWakes
         }
     }
 
-    const auto less = [&](const vectors& w, const vectors& x, const vectors& slip)
+    const auto less =
+    [&]
+    (
+        const vectors& w,
+        const vectors& x,
+        const vectors& slip
+    )
     {
         vectors inside;
         with_.motion.wakes

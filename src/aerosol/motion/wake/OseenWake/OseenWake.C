@@ -23,17 +23,45 @@ namespace aerosol
 
 Foam::aerosol::OseenWake::OseenWake(const dictionary& dict)
 :
-    range_(readPositive(dict, "range", dimless))
+    range_(readPositive(dict, "range", dimless, 0)),
+    needsTolerance_(!dict.found("range") && !dict.found("tolerance")),
+    tolerance_(readPositive(dict, "tolerance", dimVelocity, 0))
 {
-    requireOnly(dict, {"type", "range"});
+    if (dict.found("range") && dict.found("tolerance"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "The wake can have either 'range' (in diameters of the source)"
+            << " or 'tolerance' (the disturbance in m/s that may be left out),"
+            << " or neither for the default tolerance; " << dict.name()
+            << " has both"
+            << exit(FatalIOError);
+    }
+
+    requireOnly(dict, {"type", "range", "tolerance"});
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::aerosol::scalars Foam::aerosol::OseenWake::range(const scalars& d) const
+Foam::aerosol::scalars Foam::aerosol::OseenWake::range
+(
+    const scalars& d,
+    const scalars& slip
+) const
 {
-    return range_*d;
+    if (range_ > 0)
+    {
+        return range_*d;
+    }
+
+    if (tolerance_ <= 0)
+    {
+        FatalErrorInFunction
+            << "No tolerance has been set"
+            << exit(FatalError);
+    }
+
+    return 0.75*d*slip/tolerance_;
 }
 
 

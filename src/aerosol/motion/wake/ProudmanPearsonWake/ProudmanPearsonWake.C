@@ -28,6 +28,18 @@ Foam::aerosol::ProudmanPearsonWake::ProudmanPearsonWake(const dictionary& dict)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::aerosol::scalars Foam::aerosol::ProudmanPearsonWake::range
+(
+    const scalars& d,
+    const scalars& slip
+) const
+{
+    const scalars far = OseenWake::range(d, slip);
+
+    return tolerance() > 0 ? far.max(0.5*outer*d).eval() : far;
+}
+
+
 void Foam::aerosol::ProudmanPearsonWake::evaluate
 (
     block& pairs,

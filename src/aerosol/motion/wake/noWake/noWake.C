@@ -26,7 +26,11 @@ Foam::aerosol::noWake::noWake(const dictionary&)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::aerosol::scalars Foam::aerosol::noWake::range(const scalars& d) const
+Foam::aerosol::scalars Foam::aerosol::noWake::range
+(
+    const scalars& d,
+    const scalars&
+) const
 {
     return scalars::Zero(d.size());
 }
