@@ -14,6 +14,7 @@ Description
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 
 using namespace Foam;
 using namespace Foam::aerosol;
@@ -67,12 +68,12 @@ INSTANTIATE_TEST_SUITE_P
 );
 
 
-TEST_P(conservation, throughAHundredThousandMerges)
+TEST_P(conservation, throughManyMerges)
 {
     // Without drag; rows of four head for their middles, where they
     // merge in any order
     const double pitch = 30e-6;
-    const int side = 33;
+    const int side = std::getenv("ACOUSTICDEM_FULL_STATISTICS") ? 33 : 10;
     const double length = side*pitch;
 
     randomNumbers random(1);
@@ -116,7 +117,7 @@ TEST_P(conservation, throughAHundredThousandMerges)
 
     const sums after(crowd.p);
 
-    EXPECT_GE(crowd.count(), 100000);
+    EXPECT_GE(crowd.count(), 0.99*3*side*side*side);
     EXPECT_EQ(crowd.p.size() + crowd.count(), n);
 
     EXPECT_EQ(after.mass, before.mass);
