@@ -1,0 +1,27 @@
+"""The exact collision kernels of the unit tests, with errors of 3 %."""
+
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+
+TESTS = Path(os.environ["ACOUSTICDEM_APPBIN"])/"acousticDEMUnitTests"
+
+
+@pytest.mark.parametrize("stepping", ["multipleTimeStep", "eventDriven"])
+@pytest.mark.parametrize(
+    "kernel",
+    ["ofLaminarShear", "ofSettling", "ofOrthokineticMotionWithFullRefill"],
+)
+def test_kernel(kernel, stepping):
+    if not TESTS.exists():
+        pytest.skip("there are no unit tests: run ./Allwmake --tests")
+    run = subprocess.run(
+        [TESTS, f"--gtest_filter=*kernels.{kernel}/{stepping}"],
+        env={**os.environ, "ACOUSTICDEM_FULL_STATISTICS": "1"},
+        capture_output=True, text=True, check=False,
+    )
+    print(run.stdout)
+    assert run.returncode == 0, run.stderr
+    assert "K/theory" in run.stdout
