@@ -160,7 +160,7 @@ TEST_P(eachTimeStepping, isOfSecondOrderInTheFluidStep)
         law.contact = "type none;";
         law.wake = withWakes ? "type Oseen; range 400;" : "type none;";
 
-        const vectors exact = RungeKutta(p, withWakes, end, 1600);
+        const vectors exact = RungeKutta(p, withWakes, end, 6400);
 
         double before = 0;
 
@@ -191,7 +191,8 @@ TEST_P(eachTimeStepping, isOfSecondOrderInTheFluidStep)
             }
             else if (n == 100)
             {
-                EXPECT_GT(order, 1.9) << withWakes;
+                // Below a nanometre the reference is no better
+                EXPECT_TRUE(order > 1.9 || error < 1e-9) << withWakes;
                 EXPECT_LT(error, 0.1e-6);
             }
 

@@ -118,8 +118,7 @@ Foam::aerosol::contacts::takeRecords()
 
     constexpr int length = 8;
 
-    List<double> mine(length*records_.size());
-    double* to = mine.data();
+    std::vector<double> mine;
 
     for (const record& r : records_)
     {
@@ -132,7 +131,7 @@ Foam::aerosol::contacts::takeRecords()
             }
         )
         {
-            *to++ = value;
+            mine.push_back(value);
         }
     }
     records_.clear();
@@ -141,11 +140,11 @@ Foam::aerosol::contacts::takeRecords()
 
     for
     (
-        const List<double>& part :
-        bricks::exchange(List<List<double>>(bricks::nRanks(), mine))
+        const std::vector<double>& part :
+        bricks::exchange(messages(bricks::nRanks(), mine))
     )
     {
-        for (label k = 0; k < part.size(); k += length)
+        for (std::size_t k = 0; k < part.size(); k += length)
         {
             taken.push_back
             ({
@@ -178,17 +177,16 @@ void Foam::aerosol::contacts::share()
         return;
     }
 
-    List<double> mine(newlyRefused_.size());
-    std::copy(newlyRefused_.begin(), newlyRefused_.end(), mine.begin());
-    newlyRefused_.clear();
+    std::vector<double> mine;
+    mine.swap(newlyRefused_);
 
     for
     (
-        const List<double>& part :
-        bricks::exchange(List<List<double>>(bricks::nRanks(), mine))
+        const std::vector<double>& part :
+        bricks::exchange(messages(bricks::nRanks(), mine))
     )
     {
-        for (label k = 0; k < part.size(); k += 2)
+        for (std::size_t k = 0; k < part.size(); k += 2)
         {
             refused_.insert
             (

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <limits>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -78,18 +78,31 @@ int Foam::aerosol::bricks::here()
 }
 
 
-Foam::List<Foam::List<double>>
-Foam::aerosol::bricks::exchange(const List<List<double>>& send)
+Foam::aerosol::messages Foam::aerosol::bricks::exchange(messages send)
 {
     if (send.size() == 1)
     {
         return send;
     }
 
-    List<List<double>> received;
-    Pstream::exchange<List<double>, double>(send, received);
+    const label n = send.size();
+    List<List<double>> out(n);
+    List<List<double>> in;
 
-    return received;
+    for (label rank = 0; rank < n; ++rank)
+    {
+        out[rank].resize(send[rank].size());
+        std::copy(send[rank].begin(), send[rank].end(), out[rank].begin());
+    }
+
+    Pstream::exchange<List<double>, double>(out, in);
+
+    for (label rank = 0; rank < n; ++rank)
+    {
+        send[rank].assign(in[rank].begin(), in[rank].end());
+    }
+
+    return send;
 }
 
 
@@ -165,21 +178,20 @@ Foam::aerosol::bricks::gather(const particleArrays& own)
         from.range.setZero();
     }
 
-    List<double> mine(own.size()*length);
+    std::vector<double> mine(own.size()*length);
     for (int i = 0; i < own.size(); ++i)
     {
         from.pack(i, mine.data() + i*length);
     }
 
-    const List<List<double>> all =
-        exchange(List<List<double>>(nRanks(), mine));
+    const messages all = exchange(messages(nRanks(), mine));
 
     std::vector<const double*> one;
-    for (const List<double>& part : all)
+    for (const std::vector<double>& part : all)
     {
-        for (label i = 0; i < part.size(); i += length)
+        for (std::size_t i = 0; i < part.size(); i += length)
         {
-            one.push_back(part.cdata() + i);
+            one.push_back(part.data() + i);
         }
     }
 
@@ -271,7 +283,7 @@ void Foam::aerosol::bricks::settle(particleArrays& p) const
 
     constexpr int length = particleArrays::nNumbers;
 
-    List<List<double>> send(nRanks());
+    messages send(nRanks());
     std::vector<char> left(p.size(), 0);
     int nLeft = 0;
 
@@ -281,7 +293,7 @@ void Foam::aerosol::bricks::settle(particleArrays& p) const
 
         if (rank != here())
         {
-            List<double>& numbers = send[rank];
+            std::vector<double>& numbers = send[rank];
             numbers.resize(numbers.size() + length);
             p.pack(i, numbers.data() + numbers.size() - length);
             left[i] = 1;
@@ -289,10 +301,10 @@ void Foam::aerosol::bricks::settle(particleArrays& p) const
         }
     }
 
-    const List<List<double>> received = exchange(send);
+    const messages received = exchange(std::move(send));
 
     int n = p.size() - nLeft;
-    for (const List<double>& part : received)
+    for (const std::vector<double>& part : received)
     {
         n += part.size()/length;
     }
@@ -318,11 +330,11 @@ void Foam::aerosol::bricks::settle(particleArrays& p) const
         }
     }
 
-    for (const List<double>& part : received)
+    for (const std::vector<double>& part : received)
     {
-        for (label i = 0; i < part.size(); i += length)
+        for (std::size_t i = 0; i < part.size(); i += length)
         {
-            stay.unpack(to++, part.cdata() + i);
+            stay.unpack(to++, part.data() + i);
         }
     }
 

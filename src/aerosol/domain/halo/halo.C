@@ -208,24 +208,20 @@ void Foam::aerosol::halo::build
     }
 
     // The images tell each rank how many copies it gets
-    List<List<double>> send(bricks_.n());
+    messages send(bricks_.n());
 
     for (int rank = 0; rank < bricks_.n(); ++rank)
     {
-        List<double>& numbers = send[rank];
-        numbers.resize(3*sent_[rank].size());
-
-        label to = 0;
         for (const auto& one : sent_[rank])
         {
             for (int k = 0; k < 3; ++k)
             {
-                numbers[to++] = one.second[k];
+                send[rank].push_back(one.second[k]);
             }
         }
     }
 
-    const List<List<double>> from = bricks::exchange(send);
+    const messages from = bricks::exchange(std::move(send));
 
     image_.clear();
 
@@ -233,7 +229,7 @@ void Foam::aerosol::halo::build
     {
         received_[rank] = from[rank].size()/3;
 
-        for (label m = 0; m < from[rank].size(); m += 3)
+        for (std::size_t m = 0; m < from[rank].size(); m += 3)
         {
             image_.push_back
             ({
@@ -270,7 +266,7 @@ void Foam::aerosol::halo::fill(const std::vector<quantity>& quantities) const
         rows += q.rows_;
     }
 
-    List<List<double>> send(bricks_.n());
+    messages send(bricks_.n());
 
     for (int rank = 0; rank < bricks_.n(); ++rank)
     {
@@ -296,13 +292,13 @@ void Foam::aerosol::halo::fill(const std::vector<quantity>& quantities) const
         }
     }
 
-    const List<List<double>> received = bricks::exchange(send);
+    const messages received = bricks::exchange(std::move(send));
 
     int copy = 0;
 
     for (int rank = 0; rank < bricks_.n(); ++rank)
     {
-        const double* from = received[rank].cdata();
+        const double* from = received[rank].data();
 
         for (int m = 0; m < received_[rank]; ++m, ++copy)
         {
@@ -320,7 +316,7 @@ void Foam::aerosol::halo::fill(const std::vector<quantity>& quantities) const
 
 void Foam::aerosol::halo::spreadMax(scalars& values) const
 {
-    List<List<double>> send(bricks_.n());
+    messages send(bricks_.n());
     int copy = n_;
 
     for (int rank = 0; rank < bricks_.n(); ++rank)
@@ -333,11 +329,11 @@ void Foam::aerosol::halo::spreadMax(scalars& values) const
         }
     }
 
-    const List<List<double>> back = bricks::exchange(send);
+    const messages back = bricks::exchange(std::move(send));
 
     for (int rank = 0; rank < bricks_.n(); ++rank)
     {
-        const double* from = back[rank].cdata();
+        const double* from = back[rank].data();
 
         for (const auto& one : sent_[rank])
         {

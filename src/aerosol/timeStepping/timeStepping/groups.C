@@ -37,9 +37,9 @@ constexpr int returnLength = 2 + particleArrays::nNumbers + 6;
 
 
 //- Room for one more record in a message
-double* append(List<double>& message, const int length)
+double* append(std::vector<double>& message, const int length)
 {
-    const label before = message.size();
+    const std::size_t before = message.size();
     message.resize(before + length);
 
     return message.data() + before;
@@ -49,17 +49,17 @@ double* append(List<double>& message, const int length)
 //- The records of all messages, each with the rank that it is from
 std::vector<std::pair<const double*, int>> records
 (
-    const List<List<double>>& messages,
+    const messages& received,
     const int length
 )
 {
     std::vector<std::pair<const double*, int>> all;
 
-    forAll(messages, rank)
+    for (std::size_t rank = 0; rank < received.size(); ++rank)
     {
-        for (label k = 0; k < messages[rank].size(); k += length)
+        for (std::size_t k = 0; k < received[rank].size(); k += length)
         {
-            all.push_back({messages[rank].cdata() + k, int(rank)});
+            all.push_back({received[rank].data() + k, int(rank)});
         }
     }
 
@@ -170,8 +170,8 @@ Foam::aerosol::timeStepping::gatherGroups
     };
 
     // Members and pairs go there
-    List<List<double>> members(nRanks);
-    List<List<double>> pairs(nRanks);
+    messages members(nRanks);
+    messages pairs(nRanks);
 
     for (int i = 0; i < n; ++i)
     {
@@ -226,8 +226,8 @@ Foam::aerosol::timeStepping::gatherGroups
         *to++ = steps[k];
     }
 
-    const List<List<double>> receivedMembers = bricks::exchange(members);
-    const List<List<double>> receivedPairs = bricks::exchange(pairs);
+    const messages receivedMembers = bricks::exchange(std::move(members));
+    const messages receivedPairs = bricks::exchange(std::move(pairs));
 
     auto arrived = records(receivedMembers, memberLength);
     auto arrivedPairs = records(receivedPairs, pairLength);
@@ -369,7 +369,7 @@ std::vector<char> Foam::aerosol::timeStepping::disperse
     equationOfMotion::state& end
 )
 {
-    List<List<double>> send(bricks::nRanks());
+    messages send(bricks::nRanks());
 
     for (const group& one : groups)
     {
@@ -388,7 +388,7 @@ std::vector<char> Foam::aerosol::timeStepping::disperse
         }
     }
 
-    const List<List<double>> received = bricks::exchange(send);
+    const messages received = bricks::exchange(std::move(send));
 
     std::vector<char> absorbed(p.size(), 0);
 
