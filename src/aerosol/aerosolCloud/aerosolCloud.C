@@ -210,6 +210,10 @@ Foam::dictionary Foam::aerosol::aerosolCloud::readParticles()
     N0_ = state.get<label>("initialNumber");
     N0PM25_ = state.get<label>("initialNumberPM25");
     contacts_.setCount(state.get<label>("contacts"));
+    contacts_.setRefusedPairs
+    (
+        state.lookupOrDefault<labelList>("refusedPairs", labelList())
+    );
     sizeBins_ = state.subDict("sizeBins");
 
     // A change of these would be ignored, or would move the particles
@@ -551,6 +555,7 @@ Foam::dictionary Foam::aerosol::aerosolCloud::state() const
     dict.add("initialNumber", N0_);
     dict.add("initialNumberPM25", N0PM25_);
     dict.add("contacts", label(contacts_.count()));
+    dict.add("refusedPairs", contacts_.refusedPairs());
     dict.add("sizeBins", sizeBins_);
     dict.add("domainWas", dict_.subDict("domain"));
     dict.add("particlesWere", dict_.subDict("particles"));

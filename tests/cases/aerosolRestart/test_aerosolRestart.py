@@ -131,3 +131,23 @@ def test_survives_a_kill(tmp_path, meshed):
     table = case.table()
     assert table["time"][-1] == pytest.approx(end)
     assert np.ptp(table["mass"]) < 1e-13*table["mass"][0]
+
+
+def test_knows_who_has_touched(tmp_path, meshed):
+    """Pairs that overlap at a restart, but do not stick, are not new."""
+    cases = []
+    for name in ("whole", "parts"):
+        case = prepare(tmp_path/name, meshed)
+        case.model("aggregate", "type none;")
+        cases.append(case)
+
+    whole, parts = cases
+    whole.run("acousticDEMFoam")
+    parts.control("endTime", repr(20*STEP))
+    parts.run("acousticDEMFoam")
+    parts.control("endTime", repr(40*STEP))
+    parts.run("acousticDEMFoam")
+
+    same_clouds(whole, parts)
+    assert whole.table()["contacts"][-1] > 10
+    assert whole.table()["contacts"][-1] == parts.table()["contacts"][-1]

@@ -5,6 +5,7 @@
 
 #include "contacts.H"
 #include "bricks.H"
+#include "DynamicList.H"
 
 #include <Eigen/Geometry>
 
@@ -105,6 +106,29 @@ int Foam::aerosol::contacts::meet
 std::int64_t Foam::aerosol::contacts::count() const
 {
     return before_ + static_cast<std::int64_t>(bricks::sum(count_));
+}
+
+
+Foam::labelList Foam::aerosol::contacts::refusedPairs() const
+{
+    DynamicList<label> ids;
+
+    for (const auto& pair : refused_)
+    {
+        ids.append(pair.first);
+        ids.append(pair.second);
+    }
+
+    return ids;
+}
+
+
+void Foam::aerosol::contacts::setRefusedPairs(const labelList& ids)
+{
+    for (label k = 0; k + 1 < ids.size(); k += 2)
+    {
+        refused_.insert(std::minmax<std::int64_t>(ids[k], ids[k + 1]));
+    }
 }
 
 
