@@ -644,27 +644,36 @@ std::string Foam::aerosol::aerosolCloud::effort() const
     const scalar moved = bricks::sum(done.particleMoves);
     const scalar members = bricks::sum(done.groupMembers);
 
+    const scalar fluidStep = mesh_.time().deltaTValue();
+    const scalar perFluid = done.particleSteps/n;
+
     std::ostringstream os;
 
-    os  << "Per fluid step: " << done.particleSteps/n
-        << " particle steps of " << moved/max(done.particleSteps, 1.0)
-        << " particles";
+    os  << "Steps, on average:\n    fluid     " << fluidStep << " s, "
+        << moved/max(done.particleSteps, 1.0) << " particles, "
+        << bricks::sum(done.wakePairs)/n << " wakes on particles, "
+        << bricks::sum(done.contactPairs)/n << " pairs within reach";
+
+    if (perFluid > 1)
+    {
+        os  << "\n    particle  " << fluidStep/perFluid << " s, "
+            << moved/max(done.particleSteps, 1.0) << " particles";
+    }
 
     if (done.collisionSteps > 0)
     {
-        os  << ", " << done.collisionSteps/n << " collision steps of "
+        os  << "\n    collision " << fluidStep*n/done.collisionSteps << " s, "
             << bricks::sum(done.collisionPairs)/max(done.particleSteps, 1.0)
             << " pairs that may meet";
     }
 
     if (members > 0)
     {
-        os  << ", " << members/n << " particles in close company with "
-            << bricks::sum(done.groupMoves)/members << " steps each";
+        os  << "\n    groups    " << members/n
+            << " particles in close company, moved "
+            << bricks::sum(done.groupMoves)/members
+            << " times in a step they meet in";
     }
-
-    os  << ", " << bricks::sum(done.wakePairs)/n << " wake pairs, "
-        << bricks::sum(done.contactPairs)/n << " contact pairs";
 
     return os.str();
 }
