@@ -12,6 +12,7 @@ namespace
 
 //- Particles that are looked at together
 constexpr int lot = 8;
+using block = Eigen::Array<double, lot, 1>;
 
 //- Further away than anything, but with a finite square
 constexpr double farAway = 1e100;
@@ -57,32 +58,23 @@ void Foam::aerosol::searchGrid::visit
 
             for (int m = start_[row + lo[2]]; m < end; m += lot)
             {
-                const double* const x = x_[0].data() + m;
-                const double* const y = x_[1].data() + m;
-                const double* const z = x_[2].data() + m;
+                const block distanceSqr =
+                    (Eigen::Map<const block>(x_[0].data() + m) - centre[0])
+                   .square()
+                  + (Eigen::Map<const block>(x_[1].data() + m) - centre[1])
+                   .square()
+                  + (Eigen::Map<const block>(x_[2].data() + m) - centre[2])
+                   .square();
 
-                std::array<double, lot> distanceSqr;
-                std::int64_t near = 0;
-
-                for (int l = 0; l < lot; ++l)
-                {
-                    const double r0 = x[l] - centre[0];
-                    const double r1 = y[l] - centre[1];
-                    const double r2 = z[l] - centre[2];
-
-                    distanceSqr[l] = r0*r0 + r1*r1 + r2*r2;
-                    near |= std::int64_t(distanceSqr[l] <= radiusSqr);
-                }
-
-                if (near)
+                if (distanceSqr.minCoeff() <= radiusSqr)
                 {
                     const int size = std::min(lot, end - m);
 
                     for (int l = 0; l < size; ++l)
                     {
-                        if (distanceSqr[l] <= radiusSqr)
+                        if (distanceSqr(l) <= radiusSqr)
                         {
-                            visitor(m + l, distanceSqr[l]);
+                            visitor(m + l, distanceSqr(l));
                         }
                     }
                 }
@@ -109,10 +101,10 @@ void Foam::aerosol::searchGrid::build(const vectors& x, const scalars& reach)
         span = x.rowwise().maxCoeff().array() - origin_;
     }
 
-    // About one cell per particle, also if all are in a plane or on a line
+    // About three particles per cell, also if all are in a plane or on a line
     const double longest = std::max(span.maxCoeff(), 1e-30);
     const Eigen::Array3d edge = span.max(1e-3*longest);
-    const double size = std::cbrt(edge.prod()/std::max(n, 1));
+    const double size = std::cbrt(3*edge.prod()/std::max(n, 1));
 
     for (int k = 0; k < 3; ++k)
     {
