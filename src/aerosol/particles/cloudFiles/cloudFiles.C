@@ -6,6 +6,7 @@
 #include "cloudFiles.H"
 
 #include "foamVersion.H"
+#include "IFstream.H"
 #include "IOdictionary.H"
 #include "IOField.H"
 #include "ListListOps.H"
@@ -247,22 +248,46 @@ bool Foam::aerosol::cloudFiles::found() const
 }
 
 
+Foam::dictionary Foam::aerosol::cloudFiles::readState() const
+{
+    const Time& time = mesh_.time();
+    IOobject io(stateIO(IOobject::MUST_READ));
+
+    if (io.typeHeaderOk<IOdictionary>(true))
+    {
+        return IOdictionary(io);
+    }
+
+    // decomposePar does not link it where it made no time for a rank
+    const fileName undecomposed
+    (
+        time.globalPath()/time.timeName()/"uniform"/io.name()
+    );
+
+    if (Pstream::parRun() && isFile(undecomposed))
+    {
+        IFstream is(undecomposed);
+
+        return dictionary(is);
+    }
+
+    FatalErrorInFunction
+        << "The cloud " << cloud_->name() << " of time "
+        << time.timeName() << " comes without the file "
+        << io.objectPath()
+        << ", so that the run cannot be continued from there"
+        << exit(FatalError);
+
+    return dictionary();
+}
+
+
 Foam::dictionary Foam::aerosol::cloudFiles::read
 (
     particleArrays& particles
 ) const
 {
-    if (!stateIO(IOobject::MUST_READ).typeHeaderOk<IOdictionary>(true))
-    {
-        FatalErrorInFunction
-            << "The cloud " << cloud_->name() << " of time "
-            << mesh_.time().timeName() << " comes without the file "
-            << stateIO(IOobject::MUST_READ).objectPath()
-            << ", so that the run cannot be continued from there"
-            << exit(FatalError);
-    }
-
-    const IOdictionary state(stateIO(IOobject::MUST_READ));
+    const dictionary state(readState());
     const label size = state.get<label>("particles");
 
     const Field<label> id(readField<label>("id"));
