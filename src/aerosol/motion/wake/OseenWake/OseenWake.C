@@ -71,52 +71,89 @@ void Foam::aerosol::OseenWake::evaluate
     const acoustics::gasProperties& gas
 ) const
 {
+    // Loops that the compiler turns into vector instructions; see that it does
+    // (-fopt-info-vec) when they change. Choices in longer ones would make it
+    // branch. The roots and the exponential are Eigen's, in vectors already.
+
     const blockVectors& s = pairs.r;
     const blockVectors& U = pairs.slip;
 
-    const blockScalars distance =
-        (s[0].square() + s[1].square() + s[2].square()).sqrt();
+    blockScalars distanceSqr, speedSqr, along, upstream, chi;
 
-    // Not quite zero: Eigen's AVX-512 root of zero raises an exception
-    const blockScalars speed =
-        (U[0].square() + U[1].square() + U[2].square() + 1e-60).sqrt();
+    for (int b = 0; b < blockSize; ++b)
+    {
+        distanceSqr(b) =
+            s[0](b)*s[0](b) + s[1](b)*s[1](b) + s[2](b)*s[2](b);
 
-    // Unit vector e to the target, and U cos(theta)
-    const blockScalars e0 = s[0]/distance;
-    const blockScalars e1 = s[1]/distance;
-    const blockScalars e2 = s[2]/distance;
-    const blockScalars along = U[0]*e0 + U[1]*e1 + U[2]*e2;
+        // Not quite zero: Eigen's AVX-512 root of zero raises an exception
+        speedSqr(b) =
+            U[0](b)*U[0](b) + U[1](b)*U[1](b) + U[2](b)*U[2](b) + 1e-60;
+    }
 
-    const blockScalars r = distance.max(pairs.radius);
-    const blockScalars inverseR = pairs.radius/r;
-    const blockScalars dipole = 0.25*inverseR.cube();
+    const blockScalars perDistance = distanceSqr.rsqrt();
+    const blockScalars speed = speedSqr.sqrt();
+    const double factor = 0.5/gas.nu();
 
-    // Rounding may make cos(theta) exceed one
-    const blockScalars upstream = (speed - along).max(0.0);
-    const blockScalars chi = (0.5/gas.nu())*r*upstream;
+    for (int b = 0; b < blockSize; ++b)
+    {
+        // U cos(theta), U (1 - cos(theta)), which rounding may make negative
+        along(b) =
+            (U[0](b)*s[0](b) + U[1](b)*s[1](b) + U[2](b)*s[2](b))
+           *perDistance(b);
+        const double difference = speed(b) - along(b);
+        upstream(b) = difference > 0 ? difference : 0;
+
+        const double distance = distanceSqr(b)*perDistance(b);
+        const double a = pairs.radius(b);
+        chi(b) = factor*(distance > a ? distance : a)*upstream(b);
+    }
+
     const blockScalars E = (-chi).exp();
 
-    // (1 - E)/chi, by its series where the difference would cancel
-    const blockScalars large = chi.max(1e-3);
-    const blockScalars sink =
-        (chi < 1e-3).select
-        (
-            1 - chi*(0.5 - chi*(1.0/6 - chi/24)),
-            (1 - E)/large
-        );
+    // (1 - E)/chi, by its series where the difference would cancel. Both are
+    // worked out everywhere before the choice, which then needs no branch.
+    blockScalars quotient, series, sink, inverseR;
 
-    const blockScalars radial =
-        2*dipole*along
-      + 0.75*inverseR*(upstream*sink - (speed + along)*E);
+    for (int b = 0; b < blockSize; ++b)
+    {
+        const double x = chi(b);
+        quotient(b) = (1 - E(b))/(x > 1e-3 ? x : 1e-3);
+        series(b) = 1 - x*(0.5 - x*(1.0/6 - x*(1.0/24)));
 
-    const blockScalars transverse = dipole + 0.75*inverseR*E;
+        const double ratio = pairs.radius(b)*perDistance(b);
+        inverseR(b) = ratio < 1 ? ratio : 1;
+    }
 
-    // The unit vector of theta is (cos(theta) e - U/|U|)/sin(theta)
-    const blockScalars outward = radial + transverse*along;
+    for (int b = 0; b < blockSize; ++b)
+    {
+        const double small = series(b);
+        const double large = quotient(b);
+        sink(b) = chi(b) < 1e-3 ? small : large;
+    }
 
-    pairs.velocity[0] = outward*e0 - transverse*U[0];
-    pairs.velocity[1] = outward*e1 - transverse*U[1];
-    pairs.velocity[2] = outward*e2 - transverse*U[2];
+    blockScalars outward, transverse;
+
+    for (int b = 0; b < blockSize; ++b)
+    {
+        const double q = inverseR(b);
+        const double dipole = 0.25*q*q*q;
+
+        const double radial =
+            2*dipole*along(b)
+          + 0.75*q*(upstream(b)*sink(b) - (speed(b) + along(b))*E(b));
+
+        transverse(b) = dipole + 0.75*q*E(b);
+
+        // The unit vector of theta is (cos(theta) e - U/|U|)/sin(theta), with
+        // e that to the target
+        outward(b) =
+            (radial + transverse(b)*along(b))*perDistance(b);
+    }
+
+    for (int k = 0; k < 3; ++k)
+    {
+        pairs.velocity[k] = outward*s[k] - transverse*U[k];
+    }
 }
 
 
