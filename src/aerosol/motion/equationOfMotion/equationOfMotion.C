@@ -4,6 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "equationOfMotion.H"
+#include "IStringStream.H"
+
+#include <cmath>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -60,6 +63,14 @@ Foam::aerosol::equationOfMotion::equationOfMotion
     drag_(drag::New(dict.subDict("drag"))),
     gravity_(gravity::New(dict.subDict("gravity"))),
     wake_(wake::New(dict.subDict("wake"))),
+    Brownian_
+    (
+        Brownian::New
+        (
+            dict.found("Brownian") ? dict.subDict("Brownian")
+          : dictionary(IStringStream("type none;")())
+        )
+    ),
     period_(period)
 {}
 
@@ -201,7 +212,115 @@ void Foam::aerosol::equationOfMotion::glide
 }
 
 
+void Foam::aerosol::equationOfMotion::addKick(state& end)
+{
+    if (end.kick.x.cols())
+    {
+        end.x += end.kick.x;
+        end.v += end.kick.v;
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::aerosol::equationOfMotion::kick
+(
+    const scalar h,
+    const particleArrays& p,
+    const std::int64_t step,
+    const std::uint64_t block,
+    Brownian::kicks& kick
+) const
+{
+    Brownian_->kick(p, p.rate, gas_, h, step, block, kick);
+}
+
+
+void Foam::aerosol::equationOfMotion::bridge
+(
+    const scalar h,
+    const particleArrays& p,
+    const std::int64_t step,
+    const std::uint64_t block,
+    const int n,
+    const Brownian::kicks& whole,
+    std::vector<Brownian::kicks>& parts
+) const
+{
+    Brownian_->bridge(p, p.rate, gas_, h, step, block, n, whole, parts);
+}
+
+
+Foam::aerosol::Brownian::extent Foam::aerosol::equationOfMotion::reach
+(
+    const scalar h,
+    const particleArrays& p
+) const
+{
+    return Brownian_->reach(p, p.rate, gas_, h);
+}
+
+
+void Foam::aerosol::equationOfMotion::split
+(
+    const scalar h,
+    const particleArrays& p,
+    state& end
+)
+{
+    if (!end.kick.x.cols())
+    {
+        return;
+    }
+
+    // A merger at the very end of a step leaves nothing of it
+    const double perTime = h > 0 ? 1/h : 0;
+
+    const int n = p.size();
+
+    end.thermal.resize(3, n);
+    end.path0.resize(3, n);
+    end.path1.resize(3, n);
+
+    for (int i = 0; i < n; ++i)
+    {
+        const double z = h*p.rate(i);
+        const double A = z > 1e-12 ? -std::expm1(-z)/z : 1;
+
+        const Eigen::Vector3d before = p.thermal.col(i);
+        const Eigen::Vector3d after =
+            (1 - z*A)*before + end.kick.v.col(i);
+        const Eigen::Vector3d mean = A*before + perTime*end.kick.x.col(i);
+
+        end.thermal.col(i) = after;
+        end.path0.col(i) = p.v.col(i) - (1 - A)*(before - mean);
+        end.path1.col(i) = end.v.col(i) - (1 - A)*(after - mean);
+    }
+}
+
+
+void Foam::aerosol::equationOfMotion::arrive(particleArrays& p, state& end)
+{
+    p.x.swap(end.x);
+    p.v.swap(end.v);
+
+    if (end.thermal.cols())
+    {
+        p.thermal.swap(end.thermal);
+    }
+}
+
+
+Foam::aerosol::vectors Foam::aerosol::equationOfMotion::drift
+(
+    const vectors& v,
+    const vectors& thermal
+)
+{
+    return thermal.cols() ? vectors(v - thermal) : v;
+}
+
 
 Foam::aerosol::vectors
 Foam::aerosol::equationOfMotion::gasStep::at(const scalar s) const
@@ -238,6 +357,12 @@ void Foam::aerosol::equationOfMotion::refresh(particleArrays& particles) const
     for (int i = 0; i < particles.size(); ++i)
     {
         refresh(particles, i);
+    }
+
+    // Left by a run that had it
+    if (!hasBrownian())
+    {
+        particles.thermal.setZero(3, particles.size());
     }
 }
 
@@ -371,6 +496,8 @@ void Foam::aerosol::equationOfMotion::correct
     if (hasWakes() || !drag_->linear())
     {
         glide(h, p, gas, w0, true, end);
+        addKick(end);
+        split(h, p, end);
     }
 }
 
@@ -402,7 +529,10 @@ void Foam::aerosol::equationOfMotion::step
 {
     predict(h, particles, gas, w0, end);
 
-    wakes(particles, wakePairs, end.x, end.v, gas.u1, end.w);
+    wakes
+    (
+        particles, wakePairs, end.x, drift(end.v, end.thermal), gas.u1, end.w
+    );
     if (outside.cols())
     {
         end.w += outside;
@@ -421,7 +551,9 @@ void Foam::aerosol::equationOfMotion::moveOn
     const std::vector<particlePair>& wakePairs,
     const gasStep& gas,
     const vectors& outside,
-    state& end
+    state& end,
+    const std::int64_t step,
+    const std::uint64_t block
 ) const
 {
     refresh(particles, i);
@@ -440,15 +572,22 @@ void Foam::aerosol::equationOfMotion::moveOn
       : Eigen::Vector3d(Eigen::Vector3d::Zero());
 
     vectors w;
-    wakes(particles, acting, particles.x, particles.v, gas.u0, w);
+    wakes
+    (
+        particles, acting, particles.x, drift(particles.v, particles.thermal),
+        gas.u0, w
+    );
 
     const gasStep rest{gas.at(done).col(i), {}, gas.u1.col(i)};
 
+    const particleArrays one = particles.select({i});
+
     state there;
+    kick((1 - done)*h, one, step, block, there.kick);
     predict
     (
         (1 - done)*h,
-        particles.select({i}),
+        one,
         rest,
         w.col(i) + from,
         there
@@ -457,7 +596,17 @@ void Foam::aerosol::equationOfMotion::moveOn
     end.x.col(i) = there.x;
     end.v.col(i) = there.v;
 
-    wakes(particles, acting, end.x, end.v, gas.u1, w);
+    if (there.thermal.cols())
+    {
+        end.thermal.col(i) = there.thermal;
+        end.path0.col(i) = there.path0;
+        end.path1.col(i) = there.path1;
+    }
+
+    wakes
+    (
+        particles, acting, end.x, drift(end.v, end.thermal), gas.u1, w
+    );
     end.w.col(i) = w.col(i) + from;
 }
 

@@ -22,7 +22,7 @@ using namespace Foam;
 using namespace Foam::aerosol;
 
 //- Vectors of a member that come with its particle
-constexpr int nVectors = 9;
+constexpr int nVectors = 11;
 
 //- Numbers of a member in a message: its group, its index where it comes from,
 //  the particle, the vectors
@@ -33,16 +33,33 @@ constexpr int pairLength = 7;
 
 //- Of a member on its way home: its index there, whether it was absorbed, the
 //  particle, its end
-constexpr int returnLength = 2 + particleArrays::nNumbers + 6;
+constexpr int returnLength = 2 + particleArrays::nNumbers + 9;
 
 
 //- Room for one more record in a message
-double* append(List<double>& message, const int length)
+double* append(std::vector<double>& message, const int length)
 {
-    const label before = message.size();
+    const std::size_t before = message.size();
     message.resize(before + length);
 
     return message.data() + before;
+}
+
+
+//- Send messages, one to each rank; those received
+List<List<double>> exchange(const std::vector<std::vector<double>>& messages)
+{
+    List<List<double>> lists(messages.size());
+
+    forAll(lists, rank)
+    {
+        const std::vector<double>& message = messages[rank];
+
+        lists[rank].resize(message.size());
+        std::copy(message.begin(), message.end(), lists[rank].begin());
+    }
+
+    return bricks::exchange(lists);
 }
 
 
@@ -172,8 +189,8 @@ Foam::aerosol::timeStepping::gatherGroups
     };
 
     // Members and pairs go there
-    List<List<double>> members(nRanks);
-    List<List<double>> pairs(nRanks);
+    std::vector<std::vector<double>> members(nRanks);
+    std::vector<std::vector<double>> pairs(nRanks);
 
     for (int i = 0; i < n; ++i)
     {
@@ -201,7 +218,9 @@ Foam::aerosol::timeStepping::gatherGroups
                     end.v.col(i),
                     end.w.col(i),
                     sources_.x.cols() ? sources_.x.col(i) : zero,
-                    sources_.slip.cols() ? sources_.slip.col(i) : zero
+                    sources_.slip.cols() ? sources_.slip.col(i) : zero,
+                    end.kick.v.cols() ? end.kick.v.col(i) : zero,
+                    end.kick.x.cols() ? end.kick.x.col(i) : zero
                 }
             )
             {
@@ -229,8 +248,8 @@ Foam::aerosol::timeStepping::gatherGroups
         *to++ = steps[k];
     }
 
-    const List<List<double>> receivedMembers = bricks::exchange(members);
-    const List<List<double>> receivedPairs = bricks::exchange(pairs);
+    const List<List<double>> receivedMembers = exchange(members);
+    const List<List<double>> receivedPairs = exchange(pairs);
 
     auto arrived = records(receivedMembers, memberLength);
     auto arrivedPairs = records(receivedPairs, pairLength);
@@ -289,7 +308,8 @@ Foam::aerosol::timeStepping::gatherGroups
         const std::array<vectors*, nVectors> to
         {
             &one.gas.u0, &one.gas.um, &one.gas.u1, &one.w0,
-            &one.end.x, &one.end.v, &one.end.w, &one.x1, &one.slip1
+            &one.end.x, &one.end.v, &one.end.w, &one.x1, &one.slip1,
+            &one.end.kick.v, &one.end.kick.x
         };
 
         for (vectors* v : to)
@@ -315,6 +335,12 @@ Foam::aerosol::timeStepping::gatherGroups
         if (!gas.um.cols())
         {
             one.gas.um.resize(3, 0);
+        }
+
+        if (!with_.motion.hasBrownian())
+        {
+            one.end.kick.v.resize(3, 0);
+            one.end.kick.x.resize(3, 0);
         }
 
         const auto place = [&](const double id)
@@ -370,7 +396,7 @@ std::vector<char> Foam::aerosol::timeStepping::disperse
     equationOfMotion::state& end
 )
 {
-    List<List<double>> send(bricks::nRanks());
+    std::vector<std::vector<double>> send(bricks::nRanks());
 
     for (const group& one : groups)
     {
@@ -384,12 +410,18 @@ std::vector<char> Foam::aerosol::timeStepping::disperse
             to += particleArrays::nNumbers;
             Eigen::Map<Eigen::Vector3d> x(to);
             Eigen::Map<Eigen::Vector3d> v(to + 3);
+            Eigen::Map<Eigen::Vector3d> thermal(to + 6);
             x = one.end.x.col(m);
             v = one.end.v.col(m);
+            thermal.setZero();
+            if (one.end.thermal.cols())
+            {
+                thermal = one.end.thermal.col(m);
+            }
         }
     }
 
-    const List<List<double>> received = bricks::exchange(send);
+    const List<List<double>> received = exchange(send);
 
     std::vector<char> absorbed(p.size(), 0);
 
@@ -403,6 +435,10 @@ std::vector<char> Foam::aerosol::timeStepping::disperse
         numbers += particleArrays::nNumbers;
         end.x.col(i) = Eigen::Map<const Eigen::Vector3d>(numbers);
         end.v.col(i) = Eigen::Map<const Eigen::Vector3d>(numbers + 3);
+        if (end.thermal.cols())
+        {
+            end.thermal.col(i) = Eigen::Map<const Eigen::Vector3d>(numbers + 6);
+        }
     }
 
     return absorbed;
@@ -450,7 +486,10 @@ void Foam::aerosol::timeStepping::outsideWakes
 
     with_.motion.wakes
     (
-        {one.p.x, one.gas.u0 - one.p.v, one.p.d, {}}, acting, n, inside
+        {
+            one.p.x, one.gas.u0 - (one.p.v - one.p.thermal), one.p.d, {}
+        },
+        acting, n, inside
     );
     outside0 -= inside;
 

@@ -56,6 +56,7 @@ struct overlap
 Foam::aerosol::timeStepping::timeStepping(const tools& with)
 :
     with_(with),
+    step_(0),
     wakeHalo_(with.region),
     contactHalo_(with.region)
 {}
@@ -83,9 +84,14 @@ Foam::aerosol::timeStepping::New
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
-bool Foam::aerosol::timeStepping::begin(particleArrays& p)
+bool Foam::aerosol::timeStepping::begin
+(
+    particleArrays& p,
+    const std::int64_t step
+)
 {
     ++effort_.fluidSteps;
+    step_ = step;
 
     if (!p.refreshed())
     {
@@ -111,7 +117,7 @@ Foam::aerosol::timeStepping::sampleGas
 
     // Where a particle will be at the end matters to second order; just across
     // the border of the domain the gas is that at the border
-    vectors x1 = p.x + h*p.v;
+    vectors x1 = p.x + h*(p.v - p.thermal);
 
     const vector lower = with_.region.bounds().min();
     const vector upper = with_.region.bounds().max();
@@ -138,24 +144,33 @@ Foam::aerosol::scalars Foam::aerosol::timeStepping::relativeSpeed
     const gasStep& gas
 ) const
 {
-    const Eigen::Vector3d mean = bricks::mean(p.v);
+    const vectors drift = p.v - p.thermal;
+    const Eigen::Vector3d mean = bricks::mean(drift);
 
     const auto speed = [&](const vectors& v)
     {
         return (v.colwise() - mean).colwise().norm().array().transpose();
     };
 
-    return speed(p.v).max(speed(gas.u0)).max(speed(gas.u1));
+    return speed(drift).max(speed(gas.u0)).max(speed(gas.u1));
 }
 
 
 Foam::scalar Foam::aerosol::timeStepping::largestSpeed
 (
     const particleArrays& p,
-    const gasStep& gas
+    const gasStep& gas,
+    const scalar h
 ) const
 {
-    const scalars speed = relativeSpeed(p, gas);
+    scalars speed = relativeSpeed(p, gas);
+
+    if (with_.motion.hasBrownian())
+    {
+        speed +=
+            p.thermal.colwise().norm().transpose().array()
+          + nDeviations*with_.motion.reach(h, p).v;
+    }
 
     return 2*bricks::max(speed.size() ? speed.maxCoeff() : 0.0);
 }
@@ -174,7 +189,15 @@ Foam::aerosol::scalars Foam::aerosol::timeStepping::relativeWay
     const scalar h
 ) const
 {
-    const scalars way = h*(relativeSpeed(p, gas) + with_.motion.gain(p, h));
+    scalars way = h*(relativeSpeed(p, gas) + with_.motion.gain(p, h));
+
+    if (with_.motion.hasBrownian())
+    {
+        way +=
+            p.thermal.colwise().norm().transpose().array()
+           *with_.motion.relaxationTime(p).min(h)
+          + nDeviations*with_.motion.reach(h, p).x;
+    }
 
     const scalar furthest = bricks::max(p.size() ? way.maxCoeff() : 0.0);
     const scalar shortest = with_.region.bounds().minDim();
@@ -200,7 +223,8 @@ void Foam::aerosol::timeStepping::nestedSteps
     const scalar t,
     const scalar h,
     const int nParticle,
-    const int nCollision
+    const int nCollision,
+    const int before
 )
 {
     const scalar hp = h/nParticle;
@@ -217,19 +241,18 @@ void Foam::aerosol::timeStepping::nestedSteps
         if (!listed)
         {
             search(p, {now.u0, {}, gas.u1}, h - s*hp);
-            wakesOfAll(p.x, now.u0 - p.v, w0);
+            wakesOfAll(p.x, now.u0 - (p.v - p.thermal), w0);
             listed = true;
         }
 
         now.u1 = gas.at(scalar(s + 1)/nParticle);
 
-        moveAll(hp, p, now, w0, end);
+        moveAll(hp, p, now, w0, before + s, end);
 
         const std::vector<char> absorbed =
-            meet(p, now, w0, end, t + s*hp, hp, nCollision);
+            meet(p, now, w0, end, t + s*hp, hp, nCollision, before + s);
 
-        p.x.swap(end.x);
-        p.v.swap(end.v);
+        with_.motion.arrive(p, end);
         w0.swap(end.w);
         now.u0.swap(now.u1);
 
@@ -358,11 +381,16 @@ void Foam::aerosol::timeStepping::moveAll
     const particleArrays& p,
     const gasStep& gas,
     const vectors& w0,
+    const int part,
     equationOfMotion::state& end
 )
 {
+    with_.motion.kick(h, p, step_, block(noise::whole, part), end.kick);
     with_.motion.predict(h, p, gas, w0, end);
-    wakesOfAll(end.x, gas.u1 - end.v, end.w);
+    wakesOfAll
+    (
+        end.x, gas.u1 - with_.motion.drift(end.v, end.thermal), end.w
+    );
     with_.motion.correct(h, p, gas, w0, end);
 
     ++effort_.particleSteps;
@@ -373,16 +401,51 @@ void Foam::aerosol::timeStepping::moveAll
 void Foam::aerosol::timeStepping::fillPaths
 (
     const particleArrays& p,
-    const equationOfMotion::state& end
+    const equationOfMotion::state& end,
+    const scalar h
 )
 {
-    contactHalo_.fill
-    ({
+    const bool Brownian = with_.motion.hasBrownian();
+
+    std::vector<halo::quantity> quantities
+    {
         {p.x, copiesX0_, contactHalo_, true},
-        {p.v, copiesV0_, contactHalo_, false},
+        {Brownian ? end.path0 : p.v, copiesV0_, contactHalo_, false},
         {end.x, copiesX1_, contactHalo_, true},
-        {end.v, copiesV1_, contactHalo_, false}
-    });
+        {Brownian ? end.path1 : end.v, copiesV1_, contactHalo_, false}
+    };
+
+    if (Brownian)
+    {
+        stray_ = with_.motion.reach(h, p).stray;
+        quantities.push_back({stray_, copiesStray_, contactHalo_});
+    }
+
+    contactHalo_.fill(quantities);
+}
+
+
+bool Foam::aerosol::timeStepping::crosses
+(
+    const std::int64_t idI,
+    const std::int64_t idJ,
+    const scalar gap0,
+    const scalar gap1,
+    const scalar variance,
+    const std::uint64_t block
+) const
+{
+    const double exponent = 2*gap0*gap1/(variance + VSMALL);
+
+    // Of the probability no random number is as small as this one
+    if (gap0 <= 0 || gap1 <= 0 || exponent > 40)
+    {
+        return false;
+    }
+
+    return
+        with_.motion.noise().uniform(idI, idJ, step_, block)
+      < std::exp(-exponent);
 }
 
 
@@ -393,13 +456,22 @@ void Foam::aerosol::timeStepping::collide
     const vectors& outside,
     const scalar t,
     const scalar h,
-    const int nCollision
+    const int nCollision,
+    const int part
 )
 {
     particleArrays& p = together.p;
     equationOfMotion::state& end = together.end;
 
     const Eigen::Array3d period = with_.region.period();
+    const bool Brownian = with_.motion.hasBrownian();
+
+    // Per time, which a particle that merged in the step has less of
+    scalars stray;
+    if (Brownian)
+    {
+        stray = with_.motion.reach(h, p).stray/h;
+    }
 
     // Particles that merged within this step began their path later
     std::vector<double> begin;
@@ -409,9 +481,23 @@ void Foam::aerosol::timeStepping::collide
     {
         return
         {
-            p.x.col(i), p.v.col(i), end.x.col(i), end.v.col(i),
+            p.x.col(i), Brownian ? end.path0.col(i) : p.v.col(i),
+            end.x.col(i), Brownian ? end.path1.col(i) : end.v.col(i),
             begin.empty() ? 0 : begin[i], h
         };
+    };
+
+    // Of the velocity on the path, the part that is Brownian
+    const auto thermalOf = [&](const int i, const double when)
+    {
+        const double b = begin.empty() ? 0 : begin[i];
+        const double s = h > b ? (when - b)/(h - b) : 1;
+
+        return Eigen::Vector3d
+        (
+            (1 - s)*(end.path0.col(i) - (p.v.col(i) - p.thermal.col(i)))
+          + s*(end.path1.col(i) - (end.v.col(i) - end.thermal.col(i)))
+        );
     };
 
     const auto shiftOf = [&](const particlePair& pair) -> Eigen::Vector3d
@@ -448,7 +534,17 @@ void Foam::aerosol::timeStepping::collide
         const particlePath pathI = pathOf(i);
         const particlePath pathJ = pathOf(j);
 
-        if (begin.empty() && pathI.staysAwayFrom(pathJ.moved(shift), touch))
+        const double variance =
+            Brownian ? (stray(i) + stray(j))*(h - first) : 0;
+
+        if
+        (
+            begin.empty()
+         && pathI.staysAwayFrom
+            (
+                pathJ.moved(shift), touch + nDeviations*std::sqrt(variance)
+            )
+        )
         {
             return;
         }
@@ -456,7 +552,7 @@ void Foam::aerosol::timeStepping::collide
         // Who touched without sticking does so again only after a separation
         const bool onlyNew = with_.contacts.refused(p.id(i), p.id(j));
 
-        const double when =
+        double when =
             nCollision > 0
           ? particlePath::firstOverlap
             (
@@ -469,12 +565,38 @@ void Foam::aerosol::timeStepping::collide
                 onlyNew
             );
 
+        const int changes = age.empty() ? 0 : age[i] + age[j];
+
+        if (Brownian && when > h)
+        {
+            const auto gap = [&](const double t)
+            {
+                return
+                    (pathJ.position(t) + shift - pathI.position(t)).norm()
+                  - touch;
+            };
+
+            const double gap0 = gap(first);
+            const double gap1 = gap(h);
+
+            if
+            (
+                crosses
+                (
+                    p.id(i), p.id(j), gap0, gap1, variance,
+                    block(noise::whole, part, changes)
+                )
+            )
+            {
+                when = first + gap0/(gap0 + gap1)*(h - first);
+            }
+        }
+
         if (when <= h)
         {
             queue.push
             ({
-                when, p.id(i), p.id(j), i, j, pair.image,
-                age.empty() ? 0 : age[i] + age[j]
+                when, p.id(i), p.id(j), i, j, pair.image, changes
             });
         }
     };
@@ -517,6 +639,14 @@ void Foam::aerosol::timeStepping::collide
         encounter.vj = pathJ.velocity(when);
         encounter.time = t + when;
 
+        Eigen::Vector3d thermal = Eigen::Vector3d::Zero();
+        if (Brownian)
+        {
+            thermal =
+                (p.m(i)*thermalOf(i, when) + p.m(j)*thermalOf(j, when))
+               /(p.m(i) + p.m(j));
+        }
+
         const int survivor = with_.contacts.meet(p, encounter);
 
         if (survivor < 0)
@@ -532,6 +662,9 @@ void Foam::aerosol::timeStepping::collide
 
         begin[survivor] = when;
         ++age[survivor];
+        together.grown.resize(p.size(), 0);
+        together.grown[survivor] = 1;
+        p.thermal.col(survivor) = thermal;
 
         periods image = found.image;
 
@@ -547,8 +680,16 @@ void Foam::aerosol::timeStepping::collide
 
         with_.motion.moveOn
         (
-            survivor, when/h, h, p, together.wakePairs, gas, outside, end
+            survivor, when/h, h, p, together.wakePairs, gas, outside, end,
+            step_, block(noise::rest, part, age[survivor])
         );
+
+        if (Brownian && when < h)
+        {
+            stray(survivor) =
+                with_.motion.reach(h - when, p.select({survivor})).stray(0)
+               /(h - when);
+        }
 
         for (const particlePair& pair : together.contactPairs)
         {
@@ -600,7 +741,14 @@ Foam::aerosol::particlePath Foam::aerosol::timeStepping::pathOf
 {
     if (i < contactHalo_.n())
     {
-        return {p.x.col(i), p.v.col(i), end.x.col(i), end.v.col(i), 0, h};
+        const bool Brownian = with_.motion.hasBrownian();
+
+        return
+        {
+            p.x.col(i), Brownian ? end.path0.col(i) : p.v.col(i),
+            end.x.col(i), Brownian ? end.path1.col(i) : end.v.col(i),
+            0, h
+        };
     }
 
     const int c = i - contactHalo_.n();
@@ -621,7 +769,8 @@ std::vector<char> Foam::aerosol::timeStepping::meet
     equationOfMotion::state& end,
     const scalar t,
     const scalar h,
-    const int nCollision
+    const int nCollision,
+    const int part
 )
 {
     if (!with_.contacts.active())
@@ -631,7 +780,9 @@ std::vector<char> Foam::aerosol::timeStepping::meet
 
     effort_.collisionSteps += nCollision;
 
-    fillPaths(p, end);
+    fillPaths(p, end, h);
+
+    const bool Brownian = with_.motion.hasBrownian();
 
     std::vector<int> steps(contactPairs_.size(), 0);
     double found = 0;
@@ -648,7 +799,11 @@ std::vector<char> Foam::aerosol::timeStepping::meet
         const particlePath a = pathOf(p, end, i, h);
         const particlePath b = pathOf(p, end, j, h);
 
-        if (a.staysAwayFrom(b, touch))
+        const scalar variance =
+            Brownian ? stray_(i) + (j < n ? stray_(j) : copiesStray_(j - n))
+          : 0;
+
+        if (a.staysAwayFrom(b, touch + nDeviations*std::sqrt(variance)))
         {
             continue;
         }
@@ -665,6 +820,17 @@ std::vector<char> Foam::aerosol::timeStepping::meet
                 with_.contacts.refused(p.id(i), idJ)
             )
          <= h
+         || (
+                Brownian
+             && crosses
+                (
+                    p.id(i), idJ,
+                    (b.position(0) - a.position(0)).norm() - touch,
+                    (b.position(h) - a.position(h)).norm() - touch,
+                    variance,
+                    block(noise::whole, part)
+                )
+            )
         )
         {
             steps[k] = 1;
@@ -685,7 +851,9 @@ std::vector<char> Foam::aerosol::timeStepping::meet
         vectors outside1;
         outsideWakes(one, outside0, outside1);
 
-        collide(one, one.gas, outside1, t, h, nCollision);
+        with_.motion.split(h, one.p, one.end);
+
+        collide(one, one.gas, outside1, t, h, nCollision, part);
 
         one.absorbed = with_.contacts.takeAbsorbed(one.p.size());
     }
