@@ -253,15 +253,17 @@ public:
 
 TEST(BrownianCoagulation, hasSmoluchowskisRateForEqualSpheres)
 {
-    // Fluid steps in which a pair moves by 1.5, 1, 0.6 contact distances
+    // Fluid steps in which a pair moves by 1.5 and by 1 contact distance.
+    // Without the contacts between the ends of its parts, a quarter of the
+    // contact distance each, the rate is 0.84 of this.
     int seed = 7;
     double sum = 0;
     double contacts = 0;
 
-    for (const int steps : {18, 40, 100})
+    for (const int steps : {7, 16})
     {
-        equalSpheres box(6500, 5e-4, eventDriven, seed++);
-        box.run(10, steps);
+        equalSpheres box(8000, 1e-3, eventDriven, seed++);
+        box.run(4, steps);
 
         // Those who have merged are a little faster: 1.3 % for one that has
         // with one that has not, 0.2 % in the mean
@@ -272,22 +274,25 @@ TEST(BrownianCoagulation, hasSmoluchowskisRateForEqualSpheres)
         contacts += box.contacts();
     }
 
-    // All together: 2 %
-    EXPECT_GT(contacts, 2300);
+    // Both together: 2.4 %
+    EXPECT_GT(contacts, 1700);
     EXPECT_NEAR(sum/contacts, 1.002, 3.5/std::sqrt(contacts));
 }
 
 
 TEST(BrownianCoagulation, hasSmoluchowskisRateForUnequalSpheres)
 {
-    const int nSmall = 8000;
-    const int nLarge = 400;
+    // The parts are for the small ones among themselves, and fine for others.
+    // With 8000 and 400: 0.997 +- 0.030
+    const int nSmall = 5000;
+    const int nLarge = 250;
     const double d = 1e-6;
     const double D = diffusivity(d) + diffusivity(5*d);
     const double length = d*std::cbrt(nLarge/4e-5);
 
     settings law = coagulation(eventDriven);
     law.contact = "type unlikeStick;";
+    law.stepping = "type eventDriven; resolution 1;";
 
     experiment e
     (
@@ -295,15 +300,14 @@ TEST(BrownianCoagulation, hasSmoluchowskisRateForUnequalSpheres)
     );
 
     const double t = 60*d*d/diffusivity(d);
-    e.run(t/170, 170);
+    e.run(t/60, 60);
 
     // The large ones stay, and grow by 1 % at most
     const double left = e.p.size() - nLarge;
     const double expected = nLarge/std::pow(length, 3)*swept(3*d, D, t);
     const double error = 1/std::sqrt(nSmall - left);
 
-
-    EXPECT_LT(error, 0.031);
+    EXPECT_LT(error, 0.04);
     EXPECT_NEAR(std::log(nSmall/left)/expected, 1.003, 3.5*error);
 }
 
