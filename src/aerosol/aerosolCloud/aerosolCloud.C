@@ -140,6 +140,7 @@ Foam::aerosol::aerosolCloud::aerosolCloud
     }
 
     checkSound();
+    checkBrownian();
 
     Info<< summary().c_str() << nl << rangesOfWakes().c_str() << endl;
 
@@ -175,7 +176,7 @@ void Foam::aerosol::aerosolCloud::requireKnownModels() const
     const wordList known
     ({
         "domain", "particles", "timeStepping", "drag", "gravity", "wake",
-        "contact", "aggregate", "report"
+        "Brownian", "contact", "aggregate", "report"
     });
 
     // Other entries are variables of the user
@@ -488,6 +489,36 @@ void Foam::aerosol::aerosolCloud::checkSound() const
 }
 
 
+void Foam::aerosol::aerosolCloud::checkBrownian() const
+{
+    if (!motion_.hasBrownian() || !particles_.size())
+    {
+        return;
+    }
+
+    // Of two alike, relative to one another
+    const scalars ways =
+        Foam::sqrt(2.0)
+       *motion_.reach(mesh_.time().deltaTValue(), particles_).x;
+
+    Eigen::Index i;
+    const scalar most = (ways/particles_.d).maxCoeff(&i);
+
+    Info<< "Brownian motion in a fluid step, of two alike relative to one"
+        << " another: at most " << most << " diameters, at "
+        << particles_.d(i) << " m" << nl;
+
+    if (most > 4)
+    {
+        WarningInFunction
+            << "In one fluid step, particles of " << particles_.d(i) << " m"
+            << " stray by " << most << " of their diameters relative to one"
+            << " another: eventDriven resolves up to four, and misses contacts"
+            << " beyond. Reduce deltaT" << endl;
+    }
+}
+
+
 void Foam::aerosol::aerosolCloud::checkGrowth()
 {
     const scalar range =
@@ -591,7 +622,13 @@ void Foam::aerosol::aerosolCloud::evolve()
 {
     const scalar h = mesh_.time().deltaTValue();
 
-    timeStepping_->advance(particles_, mesh_.time().value() - h, h);
+    timeStepping_->advance
+    (
+        particles_,
+        mesh_.time().value() - h,
+        h,
+        mesh_.time().timeIndex()
+    );
     bricks_.settle(particles_);
 
     if (mesh_.time().timeIndex() % sortInterval == 0)

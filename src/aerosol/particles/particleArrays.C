@@ -35,6 +35,7 @@ void Foam::aerosol::particleArrays::resize(const int n)
     id.resize(n);
     x.resize(3, n);
     v.resize(3, n);
+    thermal.setZero(3, n);
     d.resize(n);
     m.resize(n);
     primaries.resize(n);
@@ -71,6 +72,7 @@ void Foam::aerosol::particleArrays::pack(const int i, double* numbers) const
     numbers[10] = rate(i);
     numbers[11] = range(i);
     Eigen::Map<Eigen::Vector3d>(numbers + 12) = acceleration.col(i);
+    Eigen::Map<Eigen::Vector3d>(numbers + 15) = thermal.col(i);
 }
 
 
@@ -85,6 +87,7 @@ void Foam::aerosol::particleArrays::unpack(const int i, const double* numbers)
     rate(i) = numbers[10];
     range(i) = numbers[11];
     acceleration.col(i) = Eigen::Map<const Eigen::Vector3d>(numbers + 12);
+    thermal.col(i) = Eigen::Map<const Eigen::Vector3d>(numbers + 15);
 }
 
 
@@ -98,6 +101,7 @@ Foam::aerosol::particleArrays Foam::aerosol::particleArrays::select
     chosen.id = id(indices);
     chosen.x = x(Eigen::all, indices);
     chosen.v = v(Eigen::all, indices);
+    chosen.thermal = thermal(Eigen::all, indices);
     chosen.d = d(indices);
     chosen.m = m(indices);
     chosen.primaries = primaries(indices);

@@ -12,6 +12,7 @@ STEPPINGS = {
     "conventional": "type conventional; kc 0.5;",
     "multipleTimeStep": "type multipleTimeStep; kp 1; kc 0.1;",
     "eventDriven": "type eventDriven;",
+    "eventDriven Brownian": "type eventDriven;",
 }
 
 
@@ -74,6 +75,12 @@ def fixture_stepping(request, tmp_path_factory, meshed):
             (case.path/"constant"/"aerosolProperties").read_text()
             + "\nreport { contacts yes; interval 1e-4; }\n",
         )
+        if "Brownian" in request.param:
+            case.write(
+                "constant/aerosolProperties",
+                (case.path/"constant"/"aerosolProperties").read_text()
+                + "\nBrownian { type OrnsteinUhlenbeck; seed 3; }\n",
+            )
         case.aerosol("length", "(0.38e-3 0.36e-3 0.34e-3)")
         case.aerosol("numberConcentration", "3e13")
         if request.param == "conventional":

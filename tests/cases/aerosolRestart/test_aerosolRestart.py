@@ -28,6 +28,13 @@ def prepare(directory, meshed, writeFormat="binary"):
         "constant/aerosolProperties", "domain",
         f"report {{ interval {4*STEP!r}; }}\n\ndomain",
     )
+
+    # The thermal velocities and the numbers of the steps go on, too
+    case.write(
+        "constant/aerosolProperties",
+        (case.path/"constant"/"aerosolProperties").read_text()
+        + "\nBrownian { type OrnsteinUhlenbeck; }\n",
+    )
     return case
 
 

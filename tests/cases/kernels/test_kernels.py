@@ -15,10 +15,26 @@ TESTS = Path(os.environ["ACOUSTICDEM_APPBIN"])/"acousticDEMUnitTests"
     ["ofLaminarShear", "ofSettling", "ofOrthokineticMotionWithFullRefill"],
 )
 def test_kernel(kernel, stepping):
+    measure(f"*kernels.{kernel}/{stepping}")
+
+
+@pytest.mark.parametrize(
+    "law",
+    [
+        "hasSmoluchowskisRateForEqualSpheres",
+        "hasSmoluchowskisRateForUnequalSpheres",
+        "letsAMonodisperseAerosolDecay",
+    ],
+)
+def test_BrownianCoagulation(law):
+    measure(f"BrownianCoagulation.{law}")
+
+
+def measure(tests):
     if not TESTS.exists():
         pytest.skip("there are no unit tests: run ./Allwmake --tests")
     run = subprocess.run(
-        [TESTS, f"--gtest_filter=*kernels.{kernel}/{stepping}"],
+        [TESTS, f"--gtest_filter={tests}"],
         env={**os.environ, "ACOUSTICDEM_FULL_STATISTICS": "1"},
         capture_output=True, text=True, check=False,
     )

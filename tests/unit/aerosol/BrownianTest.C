@@ -698,6 +698,60 @@ TEST(Brownian, doesNotMindExtremes)
 }
 
 
+TEST(Brownian, straysAsTheBridgeDoes)
+{
+    const int n = 3000;
+    const gasProperties gas = gasProperties::air();
+    const double k = 1e5;
+    const particleArrays p = cloud(n);
+    const scalars rate = scalars::Constant(n, k);
+    const double variance = kB*gas.T/p.m(0);
+
+    for (const double z : {1e-6, 1e-3, 0.3, 3.0, 30.0, 1e6})
+    {
+        const double h = z/k;
+        const Brownian::extent all = process()->reach(p, rate, gas, h);
+
+        Brownian::kicks whole;
+        std::vector<Brownian::kicks> parts;
+        process()->kick(p, rate, gas, h, 1, 0, whole);
+
+        // A known end: that at rest in the origin
+        const Brownian::kicks still{0*whole.v, 0*whole.x};
+        process()->bridge(p, rate, gas, h, 1, 1, 2, still, parts);
+
+        const double tolerance = normalLimit*std::sqrt(2.0/(3*n));
+        const auto meanSqr = [&](const vectors& values)
+        {
+            return values.squaredNorm()/(3*n);
+        };
+
+        EXPECT_NEAR
+        (
+            meanSqr(whole.v)/(all.v(0)*all.v(0)), 1, tolerance
+        ) << z;
+        EXPECT_NEAR
+        (
+            meanSqr(whole.x)/(all.x(0)*all.x(0)), 1, tolerance
+        ) << z;
+        EXPECT_NEAR(4*meanSqr(parts[0].x)/all.stray(0), 1, tolerance) << z;
+
+        // The cubic of integrated noise, and the line of Wiener's process
+        if (z < 1e-2)
+        {
+            EXPECT_NEAR
+            (
+                all.stray(0)/(2*k*variance*h*h*h/48), 1, z + 1e-6
+            );
+        }
+        if (z > 1e3)
+        {
+            EXPECT_NEAR(all.stray(0)/(2*variance/k*h), 1, 10/z);
+        }
+    }
+}
+
+
 TEST(Brownian, noneIsNothing)
 {
     const auto none = make("type none;");

@@ -21,7 +21,6 @@ Description
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <map>
 
@@ -59,15 +58,6 @@ particleArrays anywhere
     }
 
     return arrays(spheres);
-}
-
-
-//- Whether the statistics are to be those of doc/verification.md, as asked for
-//  by tests/cases/kernels; that each contact is right is seen with a tenth of
-//  it
-bool full()
-{
-    return std::getenv("ACOUSTICDEM_FULL_STATISTICS");
 }
 
 

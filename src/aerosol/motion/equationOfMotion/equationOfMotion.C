@@ -4,6 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "equationOfMotion.H"
+#include "IStringStream.H"
+
+#include <cmath>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -61,6 +64,14 @@ Foam::aerosol::equationOfMotion::equationOfMotion
     drag_(drag::New(dict.subDict("drag"))),
     gravity_(gravity::New(dict.subDict("gravity"))),
     wake_(wake::New(dict.subDict("wake"))),
+    Brownian_
+    (
+        Brownian::New
+        (
+            dict.found("Brownian") ? dict.subDict("Brownian")
+          : dictionary(IStringStream("type none;")())
+        )
+    ),
     period_(period),
     slips_(slips)
 {}
@@ -123,6 +134,7 @@ void Foam::aerosol::equationOfMotion::move
     const bool all = which.empty();
     const int n = all ? p.size() : static_cast<int>(which.size());
     const bool parabola = gas.um.cols() || wakes.um.cols();
+    const bool kicked = end.kick.x.cols();
 
     end.x.resize(3, p.size());
     end.v.resize(3, p.size());
@@ -271,7 +283,156 @@ void Foam::aerosol::equationOfMotion::move
                 end.x(c, index(from + l)) = x1(l);
             }
         }
+
+        for (int l = 0; kicked && l < size; ++l)
+        {
+            const int i = index(from + l);
+
+            end.v.col(i) += end.kick.v.col(i);
+            end.x.col(i) += end.kick.x.col(i);
+        }
     }
+}
+
+
+void Foam::aerosol::equationOfMotion::kick
+(
+    const scalar h,
+    const particleArrays& p,
+    const std::int64_t step,
+    const std::uint64_t block,
+    Brownian::kicks& kick
+) const
+{
+    Brownian_->kick(p, p.rate, gas_, h, step, block, kick);
+}
+
+
+void Foam::aerosol::equationOfMotion::bridge
+(
+    const scalar h,
+    const particleArrays& p,
+    const std::int64_t step,
+    const std::uint64_t block,
+    const int n,
+    const Brownian::kicks& whole,
+    std::vector<Brownian::kicks>& parts
+) const
+{
+    Brownian_->bridge(p, p.rate, gas_, h, step, block, n, whole, parts);
+}
+
+
+Foam::aerosol::Brownian::extent Foam::aerosol::equationOfMotion::reach
+(
+    const scalar h,
+    const particleArrays& p
+) const
+{
+    return Brownian_->reach(p, p.rate, gas_, h);
+}
+
+
+void Foam::aerosol::equationOfMotion::cool
+(
+    const scalar h,
+    const particleArrays& p,
+    state& end
+) const
+{
+    if (!hasBrownian())
+    {
+        return;
+    }
+
+    end.thermal.resize(3, p.size());
+
+    // One by one, that the result depends on the particle only
+    for (int i = 0; i < p.size(); ++i)
+    {
+        end.thermal.col(i) =
+            std::exp(-h*p.rate(i))*p.thermal.col(i) + end.kick.v.col(i);
+    }
+}
+
+
+void Foam::aerosol::equationOfMotion::split
+(
+    const scalar h,
+    const particleArrays& p,
+    state& end
+) const
+{
+    if (!hasBrownian())
+    {
+        return;
+    }
+
+    const int n = p.size();
+
+    cool(h, p, end);
+    end.path0.resize(3, n);
+    end.path1.resize(3, n);
+
+    for (int i = 0; i < n; ++i)
+    {
+        const double z = h*p.rate(i);
+        const double A = z > 1e-12 ? -std::expm1(-z)/z : 1;
+
+        const Eigen::Vector3d before = p.thermal.col(i);
+        const Eigen::Vector3d after = end.thermal.col(i);
+        const Eigen::Vector3d mean = A*before + end.kick.x.col(i)/h;
+
+        end.path0.col(i) = p.v.col(i) - (1 - A)*(before - mean);
+        end.path1.col(i) = end.v.col(i) - (1 - A)*(after - mean);
+    }
+}
+
+
+Foam::aerosol::equationOfMotion::state
+Foam::aerosol::equationOfMotion::halfway
+(
+    const scalar h,
+    const particleArrays& p,
+    const state& end
+) const
+{
+    state middle;
+
+    if (hasBrownian())
+    {
+        middle.kick.x = 0.5*end.kick.x;
+        middle.kick.v.setZero(3, p.size());
+        cool(0.5*h, p, middle);
+    }
+
+    return middle;
+}
+
+
+void Foam::aerosol::equationOfMotion::arrive
+(
+    particleArrays& p,
+    state& end
+) const
+{
+    p.x.swap(end.x);
+    p.v.swap(end.v);
+
+    if (hasBrownian())
+    {
+        p.thermal.swap(end.thermal);
+    }
+}
+
+
+Foam::aerosol::vectors Foam::aerosol::equationOfMotion::drift
+(
+    const vectors& v,
+    const vectors& thermal
+) const
+{
+    return hasBrownian() ? vectors(v - thermal) : v;
 }
 
 
@@ -325,6 +486,12 @@ void Foam::aerosol::equationOfMotion::refresh(particleArrays& particles) const
     for (int i = 0; i < particles.size(); ++i)
     {
         refresh(particles, i);
+    }
+
+    // Left by a run that had it
+    if (!hasBrownian())
+    {
+        particles.thermal.setZero(3, particles.size());
     }
 }
 
@@ -481,8 +648,14 @@ void Foam::aerosol::equationOfMotion::step
         {
             move(h, p, gas, w, {}, true, end);
         }
+
+        split(h, p, end);
         return;
     }
+
+    // The thermal velocity at the end is that of drag and noise alone
+    cool(h, p, end);
+    state middle = halfway(h, p, end);
 
     const auto wakesAt =
     [&]
@@ -503,9 +676,8 @@ void Foam::aerosol::equationOfMotion::step
     };
 
     const gasStep firstHalf = gas.part(0, 0.5);
-    state middle;
 
-    wakesAt(0, p.x, p.v, gas.u0, w.u0);
+    wakesAt(0, p.x, drift(p.v, p.thermal), gas.u0, w.u0);
 
     for (int n = 0; n < nIterations; ++n)
     {
@@ -516,7 +688,14 @@ void Foam::aerosol::equationOfMotion::step
         (
             0.5*h, p, firstHalf, again ? w.part(0, 0.5) : w, {}, again, middle
         );
-        wakesAt(0.5, middle.x, middle.v, firstHalf.u1, w.um);
+        wakesAt
+        (
+            0.5,
+            middle.x,
+            drift(middle.v, middle.thermal),
+            firstHalf.u1,
+            w.um
+        );
 
         if (!again)
         {
@@ -524,9 +703,11 @@ void Foam::aerosol::equationOfMotion::step
             move(h, p, gas, w, {}, false, end);
         }
 
-        wakesAt(1, end.x, end.v, gas.u1, w.u1);
+        wakesAt(1, end.x, drift(end.v, end.thermal), gas.u1, w.u1);
         move(h, p, gas, w, {}, true, end);
     }
+
+    split(h, p, end);
 }
 
 

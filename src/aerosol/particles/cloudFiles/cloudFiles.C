@@ -210,6 +210,21 @@ Foam::Field<Type> Foam::aerosol::cloudFiles::readField(const word& name) const
 }
 
 
+template<class Type>
+Foam::Field<Type> Foam::aerosol::cloudFiles::readFieldIfPresent
+(
+    const word& name
+) const
+{
+    IOobject io(cloud_->fieldIOobject(name, IOobject::MUST_READ));
+
+    const bool found =
+        returnReduce(io.typeHeaderOk<IOField<Type>>(true), orOp<bool>());
+
+    return found ? readField<Type>(name) : Field<Type>();
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::aerosol::cloudFiles::cloudFiles
@@ -321,6 +336,14 @@ Foam::dictionary Foam::aerosol::cloudFiles::read
         }
     }
 
+    // Without Brownian motion there are no files of it
+    Field<vector> UBrownian(readFieldIfPresent<vector>("UBrownian"));
+
+    if (UBrownian.size() != size)
+    {
+        UBrownian = Field<vector>(size, Zero);
+    }
+
     labelList order;
     sortedOrder(id, order);
 
@@ -348,6 +371,7 @@ Foam::dictionary Foam::aerosol::cloudFiles::read
         {
             particles.x(cmpt, i) = position[k][cmpt];
             particles.v(cmpt, i) = U[k][cmpt];
+            particles.thermal(cmpt, i) = UBrownian[k][cmpt];
         }
     }
 
@@ -442,6 +466,18 @@ void Foam::aerosol::cloudFiles::write
     (
         "U", mine, [&](label i) { return column(p.v, i); }
     );
+
+    if (p.thermal.size() && p.thermal.cwiseAbs().maxCoeff() > 0)
+    {
+        ok &= writeField<vector>
+        (
+            "UBrownian", mine, [&](label i) { return column(p.thermal, i); }
+        );
+    }
+    else
+    {
+        rm(cloud_->fieldIOobject("UBrownian", IOobject::NO_READ).objectPath());
+    }
 
     // Last: what it describes is complete
     ok &= writeState(state, p.size());

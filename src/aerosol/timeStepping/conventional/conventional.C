@@ -42,15 +42,16 @@ void Foam::aerosol::conventional::advance
 (
     particleArrays& p,
     const scalar t,
-    const scalar h
+    const scalar h,
+    const std::int64_t step
 )
 {
-    if (!begin(p))
+    if (!begin(p, step))
     {
         return;
     }
 
-    const scalar uc = largestSpeed(p, sampleGas(p, t, h));
+    const scalar uc = largestSpeed(p, sampleGas(p, t, h), h);
     const int n =
         std::max(1, int(std::ceil(h*uc/(kc_*smallest(p.d)))));
 
@@ -60,7 +61,7 @@ void Foam::aerosol::conventional::advance
 
         gasStep gas = sampleGas(p, ts, h/n);
 
-        nestedSteps(p, gas, ts, h/n, 1, 1);
+        nestedSteps(p, gas, ts, h/n, 1, 1, s);
     }
 }
 

@@ -32,8 +32,16 @@ namespace
 constexpr double margin = 3;
 constexpr double encounter = 5;
 
-//- More steps than this are not needed: contact ends the approach
+//- More steps than this are not needed: contact ends the approach. Brownian
+//  motion strays as the root of time, and needs more.
 constexpr int maxSteps = 64;
+constexpr int maxBrownianSteps = 1024;
+
+//- In standard deviations of the Wiener process: how far a pair is taken to
+//  stray from its straight way, which it exceeds with a probability of 1e-8,
+//  and how far for the choice of the steps
+constexpr double strays = 3;
+constexpr double straysOften = 1.5;
 
 } // End anonymous namespace
 
@@ -63,6 +71,16 @@ std::vector<int> Foam::aerosol::eventDriven::findEncounters
 )
 {
     const int n = p.size();
+    const bool Brownian = with_.motion.hasBrownian();
+
+    const vectors& start = Brownian ? end.path0 : p.v;
+    const vectors& final = Brownian ? end.path1 : end.v;
+
+    scalars stray;
+    if (Brownian)
+    {
+        stray = with_.motion.reach(h, p).stray;
+    }
 
     // In the frame of the mean motion
     const Eigen::Vector3d mean = bricks::mean((end.x - p.x)/h);
@@ -89,12 +107,16 @@ std::vector<int> Foam::aerosol::eventDriven::findEncounters
         middle.col(i) = p.x.col(i) + 0.5*chord;
         reach(i) =
             0.5*chord.norm()
-          + bulgeOf(p.v.col(i) - mean, chord, end.v.col(i) - mean)
-          + (1 + margin)*0.5*p.d(i);
+          + bulgeOf(start.col(i) - mean, chord, final.col(i) - mean)
+          + std::max
+            (
+                (1 + margin)*0.5*p.d(i),
+                0.5*p.d(i) + (Brownian ? strays*std::sqrt(stray(i)) : 0.0)
+            );
     }
 
     searchContacts(p, middle, reach);
-    fillPaths(p, end);
+    fillPaths(p, end, h);
 
     std::vector<int> steps(contactPairs_.size(), 0);
 
@@ -105,16 +127,16 @@ std::vector<int> Foam::aerosol::eventDriven::findEncounters
 
         Eigen::Vector3d r0 = -p.x.col(i);
         Eigen::Vector3d chord = p.x.col(i) - end.x.col(i);
-        Eigen::Vector3d v0 = -p.v.col(i);
-        Eigen::Vector3d v1 = -end.v.col(i);
+        Eigen::Vector3d v0 = -start.col(i);
+        Eigen::Vector3d v1 = -final.col(i);
         double radii = 0.5*p.d(i);
 
         if (j < n)
         {
             r0 += p.x.col(j);
             chord += end.x.col(j) - p.x.col(j);
-            v0 += p.v.col(j);
-            v1 += end.v.col(j);
+            v0 += start.col(j);
+            v1 += final.col(j);
             radii += 0.5*p.d(j);
         }
         else
@@ -138,9 +160,22 @@ std::vector<int> Foam::aerosol::eventDriven::findEncounters
         const double bulge = bulgeOf(v0, chord, v1);
         const double closest = (r0 + s*chord).norm() - bulge;
 
-        if (closest < encounter*radii)
+        const double deviation =
+            Brownian
+          ? std::sqrt(stray(i) + (j < n ? stray(j) : copiesStray_(j - n)))
+          : 0;
+
+        if
+        (
+            closest < encounter*radii
+         || closest < radii + strays*deviation
+        )
         {
             const double way = chord.norm() + 2*bulge;
+
+            const double resolved =
+                resolution_
+               *std::max(closest - straysOften*deviation, radii);
 
             steps[k] = static_cast<int>
             (
@@ -150,10 +185,24 @@ std::vector<int> Foam::aerosol::eventDriven::findEncounters
                     std::min
                     (
                         double(maxSteps),
-                        std::ceil(way/(resolution_*std::max(closest, radii)))
+                        std::ceil(way/resolved)
                     )
                 )
             );
+
+            steps[k] =
+                std::max
+                (
+                    steps[k],
+                    static_cast<int>
+                    (
+                        std::min
+                        (
+                            double(maxBrownianSteps),
+                            std::ceil(deviation*deviation/(resolved*resolved))
+                        )
+                    )
+                );
         }
     }
 
@@ -167,10 +216,11 @@ void Foam::aerosol::eventDriven::advance
 (
     particleArrays& p,
     const scalar t,
-    const scalar h
+    const scalar h,
+    const std::int64_t step
 )
 {
-    if (!begin(p))
+    if (!begin(p, step))
     {
         return;
     }
@@ -183,25 +233,24 @@ void Foam::aerosol::eventDriven::advance
     equationOfMotion::state end;
 
     searchWakes(p, p.range, false);
-    moveAll(h, p, gas, true, end);
+    moveAll(h, p, gas, true, 0, end);
 
     if (with_.contacts.active())
     {
         const std::vector<int> steps = findEncounters(p, end, h);
 
-        std::vector<group> groups = gatherGroups(p, gas, steps);
+        std::vector<group> groups = gatherGroups(p, gas, end.kick, steps);
 
         for (group& one : groups)
         {
-            follow(one, t, h, 0);
+            follow(one, t, h, 0, 0);
         }
 
         with_.contacts.share();
 
         const std::vector<char> absorbed = disperse(groups, p, end);
 
-        p.x.swap(end.x);
-        p.v.swap(end.v);
+        with_.motion.arrive(p, end);
 
         if (std::find(absorbed.begin(), absorbed.end(), 1) != absorbed.end())
         {
@@ -210,8 +259,7 @@ void Foam::aerosol::eventDriven::advance
     }
     else
     {
-        p.x.swap(end.x);
-        p.v.swap(end.v);
+        with_.motion.arrive(p, end);
     }
 
     with_.region.confine(p);

@@ -43,16 +43,17 @@ void Foam::aerosol::multipleTimeStep::advance
 (
     particleArrays& p,
     const scalar t,
-    const scalar h
+    const scalar h,
+    const std::int64_t step
 )
 {
-    if (!begin(p))
+    if (!begin(p, step))
     {
         return;
     }
 
     gasStep gas = sampleGas(p, t, h);
-    const scalar uc = largestSpeed(p, gas);
+    const scalar uc = largestSpeed(p, gas, h);
     const scalar tau = smallest(with_.motion.relaxationTime(p));
 
     const int nParticle = std::max(1, int(std::ceil(h/(kp_*tau))));

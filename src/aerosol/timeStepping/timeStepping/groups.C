@@ -12,6 +12,7 @@ Description
 
 #include <algorithm>
 #include <tuple>
+#include <unordered_set>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -22,7 +23,7 @@ using namespace Foam;
 using namespace Foam::aerosol;
 
 //- Vectors of a member that come with its particle
-constexpr int nVectors = 12;
+constexpr int nVectors = 14;
 
 //- Numbers of a member in a message: its group, its index where it comes from,
 //  the particle, the vectors
@@ -76,6 +77,7 @@ Foam::aerosol::timeStepping::gatherGroups
 (
     const particleArrays& p,
     const gasStep& gas,
+    const Brownian::kicks& kick,
     const std::vector<int>& steps
 )
 {
@@ -189,23 +191,30 @@ Foam::aerosol::timeStepping::gatherGroups
                 &gas, &wakes_, &wakesX_, &wakesSlip_
             };
 
+            const auto add = [&](const vectors& v)
+            {
+                Eigen::Map<Eigen::Vector3d> numbers(to);
+
+                if (v.cols())
+                {
+                    numbers = v.col(i);
+                }
+                else
+                {
+                    numbers.setZero();
+                }
+                to += 3;
+            };
+
             for (const gasStep* step : steps)
             {
-                for (const vectors* v : {&step->u0, &step->um, &step->u1})
-                {
-                    Eigen::Map<Eigen::Vector3d> numbers(to);
-
-                    if (v->cols())
-                    {
-                        numbers = v->col(i);
-                    }
-                    else
-                    {
-                        numbers.setZero();
-                    }
-                    to += 3;
-                }
+                add(step->u0);
+                add(step->um);
+                add(step->u1);
             }
+
+            add(kick.v);
+            add(kick.x);
         }
     }
 
@@ -288,7 +297,8 @@ Foam::aerosol::timeStepping::gatherGroups
             &one.gas.u0, &one.gas.um, &one.gas.u1,
             &one.wakes.u0, &one.wakes.um, &one.wakes.u1,
             &one.x.u0, &one.x.um, &one.x.u1,
-            &one.slip.u0, &one.slip.um, &one.slip.u1
+            &one.slip.u0, &one.slip.um, &one.slip.u1,
+            &one.kick.v, &one.kick.x
         };
 
         for (vectors* v : to)
@@ -318,6 +328,12 @@ Foam::aerosol::timeStepping::gatherGroups
         if (!wakes_.um.cols())
         {
             one.wakes.um.resize(3, 0);
+        }
+
+        if (!with_.motion.hasBrownian())
+        {
+            one.kick.v.resize(3, 0);
+            one.kick.x.resize(3, 0);
         }
 
         const auto place = [&](const double id)
@@ -402,6 +418,10 @@ std::vector<char> Foam::aerosol::timeStepping::disperse
         numbers += particleArrays::nNumbers;
         end.x.col(i) = Eigen::Map<const Eigen::Vector3d>(numbers);
         end.v.col(i) = Eigen::Map<const Eigen::Vector3d>(numbers + 3);
+        if (end.thermal.cols())
+        {
+            end.thermal.col(i) = p.thermal.col(i);
+        }
     }
 
     return absorbed;
@@ -588,22 +608,14 @@ void Foam::aerosol::timeStepping::redirect
 
     // Those who were neighbours of both are now there twice
     std::vector<particlePair> kept;
+    std::unordered_set<std::int64_t> known;
 
     for (const particlePair& pair : pairs)
     {
-        const bool known = std::any_of
-        (
-            kept.begin(),
-            kept.end(),
-            [&](const particlePair& other)
-            {
-                return
-                    std::minmax(other.i, other.j)
-                 == std::minmax(pair.i, pair.j);
-            }
-        );
+        const std::int64_t low = std::min(pair.i, pair.j);
+        const std::int64_t high = std::max(pair.i, pair.j);
 
-        if (pair.i != pair.j && !known)
+        if (pair.i != pair.j && known.insert(low << 32 | high).second)
         {
             kept.push_back(pair);
         }
@@ -618,9 +630,16 @@ void Foam::aerosol::timeStepping::follow
     group& one,
     const scalar t,
     const scalar h,
-    const int nCollision
+    const int nCollision,
+    const int part
 )
 {
+    if (with_.motion.hasBrownian())
+    {
+        followBrownian(one, t, h, nCollision, part);
+        return;
+    }
+
     // Distance from contact that is no distance, in distances
     constexpr double closed = 1e-10;
 

@@ -26,6 +26,7 @@ namespace aerosol
 Foam::aerosol::timeStepping::timeStepping(const tools& with)
 :
     with_(with),
+    step_(0),
     wakeHalo_(with.region),
     contactHalo_(with.region)
 {}
@@ -53,9 +54,14 @@ Foam::aerosol::timeStepping::New
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
-bool Foam::aerosol::timeStepping::begin(particleArrays& p)
+bool Foam::aerosol::timeStepping::begin
+(
+    particleArrays& p,
+    const std::int64_t step
+)
 {
     ++effort_.fluidSteps;
+    step_ = step;
 
     if (!p.refreshed())
     {
@@ -81,7 +87,7 @@ Foam::aerosol::timeStepping::sampleGas
 
     // Where a particle will be at the end matters to second order; just across
     // the border of the domain the gas is that at the border
-    vectors x1 = p.x + h*p.v;
+    vectors x1 = p.x + h*(p.v - p.thermal);
 
     const vector lower = with_.region.bounds().min();
     const vector upper = with_.region.bounds().max();
@@ -108,24 +114,33 @@ Foam::aerosol::scalars Foam::aerosol::timeStepping::relativeSpeed
     const gasStep& gas
 ) const
 {
-    const Eigen::Vector3d mean = bricks::mean(p.v);
+    const vectors drift = p.v - p.thermal;
+    const Eigen::Vector3d mean = bricks::mean(drift);
 
     const auto speed = [&](const vectors& v)
     {
         return (v.colwise() - mean).colwise().norm().array().transpose();
     };
 
-    return speed(p.v).max(speed(gas.u0)).max(speed(gas.u1));
+    return speed(drift).max(speed(gas.u0)).max(speed(gas.u1));
 }
 
 
 Foam::scalar Foam::aerosol::timeStepping::largestSpeed
 (
     const particleArrays& p,
-    const gasStep& gas
+    const gasStep& gas,
+    const scalar h
 ) const
 {
-    const scalars speed = relativeSpeed(p, gas);
+    scalars speed = relativeSpeed(p, gas);
+
+    if (with_.motion.hasBrownian())
+    {
+        speed +=
+            p.thermal.colwise().norm().transpose().array()
+          + nDeviations*with_.motion.reach(h, p).v;
+    }
 
     return 2*bricks::max(speed.size() ? speed.maxCoeff() : 0.0);
 }
@@ -144,7 +159,15 @@ Foam::aerosol::scalars Foam::aerosol::timeStepping::relativeWay
     const scalar h
 ) const
 {
-    const scalars way = h*(relativeSpeed(p, gas) + with_.motion.gain(p, h));
+    scalars way = h*(relativeSpeed(p, gas) + with_.motion.gain(p, h));
+
+    if (with_.motion.hasBrownian())
+    {
+        way +=
+            p.thermal.colwise().norm().transpose().array()
+           *with_.motion.relaxationTime(p).min(h)
+          + nDeviations*with_.motion.reach(h, p).x;
+    }
 
     const scalar furthest = bricks::max(p.size() ? way.maxCoeff() : 0.0);
     const scalar shortest = with_.region.bounds().minDim();
@@ -170,7 +193,8 @@ void Foam::aerosol::timeStepping::nestedSteps
     const scalar t,
     const scalar h,
     const int nParticle,
-    const int nCollision
+    const int nCollision,
+    const int before
 )
 {
     const scalar hp = h/nParticle;
@@ -191,13 +215,12 @@ void Foam::aerosol::timeStepping::nestedSteps
 
         now.u1 = gas.at(scalar(s + 1)/nParticle);
 
-        moveAll(hp, p, now, false, end);
+        moveAll(hp, p, now, false, before + s, end);
 
         const std::vector<char> absorbed =
-            meet(p, now, end, t + s*hp, hp, nCollision);
+            meet(p, now, end, t + s*hp, hp, nCollision, before + s);
 
-        p.x.swap(end.x);
-        p.v.swap(end.v);
+        with_.motion.arrive(p, end);
         now.u0.swap(now.u1);
 
         if (!absorbed.empty())
@@ -356,6 +379,7 @@ void Foam::aerosol::timeStepping::moveAll
     const particleArrays& p,
     const gasStep& gas,
     const bool withMiddle,
+    const int part,
     equationOfMotion::state& end
 )
 {
@@ -363,6 +387,8 @@ void Foam::aerosol::timeStepping::moveAll
 
     ++effort_.particleSteps;
     effort_.particleMoves += p.size();
+
+    motion.kick(h, p, step_, block(noise::whole, part), end.kick);
 
     // As if there were no wakes, which is the end for most of them
     motion.move(h, p, gas, {}, {}, false, end);
@@ -372,14 +398,35 @@ void Foam::aerosol::timeStepping::moveAll
         motion.move(h, p, gas, {}, {}, true, end);
     }
 
-    if (!motion.hasWakes())
+    if (motion.hasWakes())
     {
-        return;
+        moveInWakes(h, p, gas, withMiddle, end);
     }
 
+    motion.split(h, p, end);
+}
+
+
+void Foam::aerosol::timeStepping::moveInWakes
+(
+    const scalar h,
+    const particleArrays& p,
+    const gasStep& gas,
+    const bool withMiddle,
+    equationOfMotion::state& end
+)
+{
+    const equationOfMotion& motion = with_.motion;
     gasStep& w = wakes_;
 
-    wakesAt(p.x, p.v, gas.u0, wakesX_.u0, wakesSlip_.u0, w.u0);
+    // The thermal velocity at the end is that of drag and noise alone
+    motion.cool(h, p, end);
+
+    wakesAt
+    (
+        p.x, motion.drift(p.v, p.thermal), gas.u0,
+        wakesX_.u0, wakesSlip_.u0, w.u0
+    );
     w.um.resize(3, 0);
     w.u1.resize(3, 0);
 
@@ -402,21 +449,30 @@ void Foam::aerosol::timeStepping::moveAll
 
     vectors found;
 
+    const auto wakesAtEnd = [&]()
+    {
+        wakesAt
+        (
+            end.x, motion.drift(end.v, end.thermal), gas.u1,
+            wakesX_.u1, wakesSlip_.u1, found
+        );
+        w.u1.swap(found);
+    };
+
     if (!withMiddle)
     {
         wakesX_.um.resize(3, 0);
         wakesSlip_.um.resize(3, 0);
 
         move(h, gas, w, false, end);
-        wakesAt(end.x, end.v, gas.u1, wakesX_.u1, wakesSlip_.u1, found);
-        w.u1.swap(found);
+        wakesAtEnd();
         move(h, gas, w, true, end);
 
         return;
     }
 
     const gasStep firstHalf = gas.part(0, 0.5);
-    equationOfMotion::state middle;
+    equationOfMotion::state middle = motion.halfway(h, p, end);
 
     for (int n = 0; n < nIterations; ++n)
     {
@@ -429,7 +485,8 @@ void Foam::aerosol::timeStepping::moveAll
         );
         wakesAt
         (
-            middle.x, middle.v, firstHalf.u1, wakesX_.um, wakesSlip_.um, found
+            middle.x, motion.drift(middle.v, middle.thermal), firstHalf.u1,
+            wakesX_.um, wakesSlip_.um, found
         );
         w.um.swap(found);
 
@@ -439,8 +496,7 @@ void Foam::aerosol::timeStepping::moveAll
             move(h, gas, w, false, end);
         }
 
-        wakesAt(end.x, end.v, gas.u1, wakesX_.u1, wakesSlip_.u1, found);
-        w.u1.swap(found);
+        wakesAtEnd();
         move(h, gas, w, true, end);
     }
 }
@@ -449,16 +505,51 @@ void Foam::aerosol::timeStepping::moveAll
 void Foam::aerosol::timeStepping::fillPaths
 (
     const particleArrays& p,
-    const equationOfMotion::state& end
+    const equationOfMotion::state& end,
+    const scalar h
 )
 {
-    contactHalo_.fill
-    ({
+    const bool Brownian = with_.motion.hasBrownian();
+
+    std::vector<halo::quantity> quantities
+    {
         {p.x, copiesX0_, contactHalo_, true},
-        {p.v, copiesV0_, contactHalo_, false},
+        {Brownian ? end.path0 : p.v, copiesV0_, contactHalo_, false},
         {end.x, copiesX1_, contactHalo_, true},
-        {end.v, copiesV1_, contactHalo_, false}
-    });
+        {Brownian ? end.path1 : end.v, copiesV1_, contactHalo_, false}
+    };
+
+    if (Brownian)
+    {
+        stray_ = with_.motion.reach(h, p).stray;
+        quantities.push_back({stray_, copiesStray_, contactHalo_});
+    }
+
+    contactHalo_.fill(quantities);
+}
+
+
+bool Foam::aerosol::timeStepping::crosses
+(
+    const std::int64_t idI,
+    const std::int64_t idJ,
+    const scalar gap0,
+    const scalar gap1,
+    const scalar variance,
+    const std::uint64_t block
+) const
+{
+    const double exponent = 2*gap0*gap1/(variance + VSMALL);
+
+    // Of the probability no random number is as small as this one
+    if (gap0 <= 0 || gap1 <= 0 || exponent > 40)
+    {
+        return false;
+    }
+
+    return
+        with_.motion.noise().uniform(idI, idJ, step_, block)
+      < std::exp(-exponent);
 }
 
 
@@ -491,6 +582,25 @@ void Foam::aerosol::timeStepping::search
 }
 
 
+Foam::aerosol::particlePath Foam::aerosol::timeStepping::pathOfOwn
+(
+    const particleArrays& p,
+    const equationOfMotion::state& end,
+    const int i,
+    const scalar h
+) const
+{
+    const bool Brownian = with_.motion.hasBrownian();
+
+    return
+    {
+        p.x.col(i), Brownian ? end.path0.col(i) : p.v.col(i),
+        end.x.col(i), Brownian ? end.path1.col(i) : end.v.col(i),
+        h
+    };
+}
+
+
 Foam::aerosol::particlePath Foam::aerosol::timeStepping::pathOf
 (
     const particleArrays& p,
@@ -501,7 +611,7 @@ Foam::aerosol::particlePath Foam::aerosol::timeStepping::pathOf
 {
     if (i < contactHalo_.n())
     {
-        return {p.x.col(i), p.v.col(i), end.x.col(i), end.v.col(i), h};
+        return pathOfOwn(p, end, i, h);
     }
 
     const int c = i - contactHalo_.n();
@@ -521,7 +631,8 @@ std::vector<char> Foam::aerosol::timeStepping::meet
     equationOfMotion::state& end,
     const scalar t,
     const scalar h,
-    const int nCollision
+    const int nCollision,
+    const int part
 )
 {
     if (!with_.contacts.active())
@@ -531,7 +642,9 @@ std::vector<char> Foam::aerosol::timeStepping::meet
 
     effort_.collisionSteps += nCollision;
 
-    fillPaths(p, end);
+    fillPaths(p, end, h);
+
+    const bool Brownian = with_.motion.hasBrownian();
 
     std::vector<int> steps(contactPairs_.size(), 0);
     double found = 0;
@@ -548,7 +661,11 @@ std::vector<char> Foam::aerosol::timeStepping::meet
         const particlePath a = pathOf(p, end, i, h);
         const particlePath b = pathOf(p, end, j, h);
 
-        if (a.staysAwayFrom(b, touch))
+        const scalar variance =
+            Brownian ? stray_(i) + (j < n ? stray_(j) : copiesStray_(j - n))
+          : 0;
+
+        if (a.staysAwayFrom(b, touch + nDeviations*std::sqrt(variance)))
         {
             continue;
         }
@@ -565,6 +682,17 @@ std::vector<char> Foam::aerosol::timeStepping::meet
                 with_.contacts.refused(p.id(i), idJ)
             )
          <= h
+         || (
+                Brownian
+             && crosses
+                (
+                    p.id(i), idJ,
+                    (b.position(0) - a.position(0)).norm() - touch,
+                    (b.position(h) - a.position(h)).norm() - touch,
+                    variance,
+                    block(noise::whole, part)
+                )
+            )
         )
         {
             steps[k] = 1;
@@ -577,11 +705,11 @@ std::vector<char> Foam::aerosol::timeStepping::meet
         return {};
     }
 
-    std::vector<group> groups = gatherGroups(p, gas, steps);
+    std::vector<group> groups = gatherGroups(p, gas, end.kick, steps);
 
     for (group& one : groups)
     {
-        follow(one, t, h, nCollision);
+        follow(one, t, h, nCollision, part);
     }
 
     with_.contacts.share();

@@ -357,4 +357,85 @@ void Foam::aerosol::OrnsteinUhlenbeck::bridge
 }
 
 
+Foam::aerosol::Brownian::extent Foam::aerosol::OrnsteinUhlenbeck::reach
+(
+    const particleArrays& particles,
+    const scalars& rate,
+    const gasProperties& gas,
+    const scalar h
+) const
+{
+    const int size = particles.size();
+
+    extent all{scalars(size), scalars(size), scalars(size)};
+
+    for (int i = 0; i < size; i += nLanes)
+    {
+        const int n = std::min(nLanes, size - i);
+
+        const lanes z = h*fill(rate, i, n);
+        const law whole(z);
+        const law half(0.5*z);
+        const lanes speed = thermalSpeed(particles, gas, i, n);
+
+        const lanes x =
+            (whole.slope*whole.v).square() + whole.x.square();
+
+        // Covariance of one half, and of both together, with lengths in h/2
+        const lanes vv = half.v.square();
+        const lanes vx = half.slope*vv;
+        const lanes xx = half.slope*vx + half.x.square();
+
+        const lanes VV = vv*(1 + half.decay.square());
+        const lanes VX = vx*(1 + half.decay) + half.decay*half.gain*vv;
+        const lanes XX = 2*xx + 2*half.gain*vx + half.gain.square()*vv;
+
+        // What is left of that of the middle if the end is known
+        constexpr double tiny = 1e-60;
+        const lanes withV = half.decay*vx;
+        const lanes withX = xx + half.gain*vx;
+        const lanes slope = VX/(VV + tiny);
+        const lanes rest = withX - slope*withV;
+        const lanes middle =
+            xx - withV.square()/(VV + tiny)
+          - rest.square()/(XX - slope*VX + tiny);
+
+        for (int b = 0; b < n; ++b)
+        {
+            all.v(i + b) = speed(b)*whole.v(b);
+            all.x(i + b) = h*speed(b)*std::sqrt(x(b));
+
+            const double way = h*speed(b);
+            all.stray(i + b) = way*way*std::max(middle(b), 0.0);
+        }
+    }
+
+    return all;
+}
+
+
+Foam::scalar Foam::aerosol::OrnsteinUhlenbeck::uniform
+(
+    const std::int64_t idI,
+    const std::int64_t idJ,
+    const std::int64_t step,
+    const std::uint64_t block
+) const
+{
+    const auto ids = std::minmax(idI, idJ);
+
+    return counterRandom::openUniform
+    (
+        random_.bits
+        (
+            ids.first,
+            step,
+            counterRandom::stream::crossing,
+            block,
+            ids.second
+        )[0]
+    );
+}
+
+
 // ************************************************************************* //

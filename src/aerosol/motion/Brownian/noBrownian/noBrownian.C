@@ -65,4 +65,28 @@ void Foam::aerosol::noBrownian::bridge
 }
 
 
+Foam::aerosol::Brownian::extent Foam::aerosol::noBrownian::reach
+(
+    const particleArrays&,
+    const scalars&,
+    const gasProperties&,
+    const scalar
+) const
+{
+    return {};
+}
+
+
+Foam::scalar Foam::aerosol::noBrownian::uniform
+(
+    const std::int64_t,
+    const std::int64_t,
+    const std::int64_t,
+    const std::uint64_t
+) const
+{
+    return 0.5;
+}
+
+
 // ************************************************************************* //
