@@ -553,45 +553,60 @@ void Foam::aerosol::equationOfMotion::wakes
             block.velocity[k] = (block.velocity[k] + rounding) - rounding;
         }
 
+        const double* const w0 = block.velocity[0].data();
+        const double* const w1 = block.velocity[1].data();
+        const double* const w2 = block.velocity[2].data();
+
         for (int b = 0; b < n; ++b)
         {
-            for (int k = 0; k < 3; ++k)
-            {
-                w(k, target[b]) += block.velocity[k](b);
-            }
+            double* const sum = w.data() + 3*target[b];
+            sum[0] += w0[b];
+            sum[1] += w1[b];
+            sum[2] += w2[b];
         }
 
         n = 0;
     };
 
+    const double* const x = from.x.data();
+    const double* const slip = from.slip.data();
+    const double* const d = from.d.data();
+    const double* const range = from.range.data();
+
     for (const particlePair& pair : pairs)
     {
-        const int i = pair.i;
-        const int j = pair.j;
+        const double* const xi = x + 3*pair.i;
+        const double* const xj = x + 3*pair.j;
 
-        double distanceSqr = 0;
+        double r[3] = {xi[0] - xj[0], xi[1] - xj[1], xi[2] - xj[2]};
 
-        for (int k = 0; k < 3; ++k)
+        // Most of them do not reach across a side of the domain
+        if (pair.image[0] | pair.image[1] | pair.image[2])
         {
-            const double r =
-                from.x(k, i) - (from.x(k, j) + pair.image[k]*period_(k));
-
-            block.r[k](n) = r;
-            block.slip[k](n) = from.slip(k, j);
-            distanceSqr += r*r;
+            for (int k = 0; k < 3; ++k)
+            {
+                r[k] = xi[k] - (xj[k] + pair.image[k]*period_(k));
+            }
         }
 
-        if
-        (
-            (limited && distanceSqr > from.range(j)*from.range(j))
-         || distanceSqr < VSMALL
-        )
+        const double distanceSqr = r[0]*r[0] + r[1]*r[1] + r[2]*r[2];
+        const double reach = limited ? range[pair.j] : GREAT;
+
+        if (distanceSqr > reach*reach || distanceSqr < VSMALL)
         {
             continue;
         }
 
-        block.radius(n) = 0.5*from.d(j);
-        target[n] = i;
+        const double* const U = slip + 3*pair.j;
+
+        for (int k = 0; k < 3; ++k)
+        {
+            block.r[k].data()[n] = r[k];
+            block.slip[k].data()[n] = U[k];
+        }
+
+        block.radius.data()[n] = 0.5*d[pair.j];
+        target[n] = pair.i;
 
         if (++n == wake::blockSize)
         {
