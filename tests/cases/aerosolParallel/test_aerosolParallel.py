@@ -37,7 +37,8 @@ simpleCoeffs {{ n (1 {ranks} 1); delta 0.001; }}
         # Without fields, decomposePar makes no time for a rank whose part of
         # the mesh has no particles; OpenFOAM then refuses to start
         for part in case.path.glob("processor*"):
-            (part/case.times()[-1]).mkdir(exist_ok=True)
+            for name in case.times():
+                (part/name).mkdir(exist_ok=True)
 
         case.run(
             "mpirun", "--oversubscribe", "-np", ranks,
@@ -144,6 +145,26 @@ def test_ranks_without_particles(tmp_path, meshed):
             "constant/aerosolProperties",
             (case.path/"constant"/"aerosolProperties").read_text()
             + "\nreport { contacts yes; }\n",
+        )
+        clouds.append(run_on(case, ranks))
+
+    assert_same(*clouds)
+
+
+def test_ranks_that_feel_no_wakes(tmp_path, meshed):
+    """Two close together, and one far away, on a rank of its own or not."""
+    clouds = []
+
+    for ranks in (1, 2):
+        case = AerosolCase(tmp_path/f"ranks{ranks}", meshed)
+        case.model("timeStepping", STEPPINGS["eventDriven"])
+        case.aerosol("length", "0.5e-3")
+        case.particles(
+            [
+                ((61.1e-3, -0.1e-3, -0.1e-3), 8e-6),
+                ((61.14e-3, -0.1e-3, -0.1e-3), 8e-6),
+                ((61.45e-3, 0.1e-3, 0.1e-3), 2e-6),
+            ]
         )
         clouds.append(run_on(case, ranks))
 

@@ -473,6 +473,8 @@ void Foam::aerosol::timeStepping::moveInWakes
 
     const gasStep firstHalf = gas.part(0, 0.5);
     equationOfMotion::state middle = motion.halfway(h, p, end);
+    middle.x.setZero(3, p.size());
+    middle.v.setZero(3, p.size());
 
     for (int n = 0; n < nIterations; ++n)
     {
