@@ -38,9 +38,63 @@ Foam::acoustics::planeWave::planeWave(const dictionary& dict)
 
 Eigen::ArrayXd Foam::acoustics::planeWave::kDistance(const vectors& x) const
 {
-    return
-        ((k_*direction_).transpose()*x).transpose().array()
-      - k_*direction_.dot(origin_);
+    const Eigen::Vector3d k = k_*direction_;
+    const double atOrigin = k.dot(origin_);
+    const double k0 = k(0);
+    const double k1 = k(1);
+    const double k2 = k(2);
+
+    Eigen::ArrayXd distance(x.cols());
+
+    // Alike for every point, wherever it is in the array
+    for (Eigen::Index i = 0; i < x.cols(); ++i)
+    {
+        distance(i) = k0*x(0, i) + (k1*x(1, i) + (k2*x(2, i) - atOrigin));
+    }
+
+    return distance;
+}
+
+
+Eigen::ArrayXd
+Foam::acoustics::planeWave::sine(const Eigen::ArrayXd& angles)
+{
+    // Pi as the sum of two numbers; added and subtracted, the third rounds to a
+    // whole number
+    constexpr double pi = 3.141592653589793116;
+    constexpr double rest = 1.2246467991473532e-16;
+    constexpr double rounding = 0x1.8p52;
+
+    Eigen::ArrayXd result(angles.size());
+
+    const double* const angle = angles.data();
+    double* const sine = result.data();
+
+    for (Eigen::Index i = 0; i < angles.size(); ++i)
+    {
+        const double n = (angle[i]*(1/pi) + rounding) - rounding;
+        const double y = (angle[i] - n*pi) - n*rest;
+
+        // Of an odd number of half periods: -1 or 1
+        const double odd = n - 2*((0.5*n + rounding) - rounding);
+        const double sign = 1 - 2*odd*odd;
+
+        const double z = y*y;
+        double s = 1 - z*(1.0/(20*21));
+        s = 1 - z*(1.0/(18*19))*s;
+        s = 1 - z*(1.0/(16*17))*s;
+        s = 1 - z*(1.0/(14*15))*s;
+        s = 1 - z*(1.0/(12*13))*s;
+        s = 1 - z*(1.0/(10*11))*s;
+        s = 1 - z*(1.0/(8*9))*s;
+        s = 1 - z*(1.0/(6*7))*s;
+        s = 1 - z*(1.0/(4*5))*s;
+        s = 1 - z*(1.0/(2*3))*s;
+
+        sine[i] = sign*y*s;
+    }
+
+    return result;
 }
 
 

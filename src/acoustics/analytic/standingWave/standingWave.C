@@ -49,7 +49,7 @@ void Foam::acoustics::standingWave::velocity
 ) const
 {
     const Eigen::ArrayXd speed =
-        velocityAmplitude()*std::sin(phase(t))*kDistance(x).sin();
+        velocityAmplitude()*std::sin(phase(t))*sine(kDistance(x));
 
     u = direction()*speed.matrix().transpose();
 }

@@ -49,7 +49,7 @@ void Foam::acoustics::travellingWave::velocity
 ) const
 {
     const Eigen::ArrayXd speed =
-        velocityAmplitude()*(phase(t) - kDistance(x)).sin();
+        velocityAmplitude()*sine(phase(t) - kDistance(x));
 
     u = direction()*speed.matrix().transpose();
 }

@@ -242,6 +242,24 @@ void Foam::aerosol::halo::build
 }
 
 
+void Foam::aerosol::halo::renumber
+(
+    const std::vector<int>& places,
+    const int n
+)
+{
+    n_ = n;
+
+    for (auto& list : sent_)
+    {
+        for (auto& one : list)
+        {
+            one.first = places[one.first];
+        }
+    }
+}
+
+
 std::vector<char> Foam::aerosol::halo::sent() const
 {
     std::vector<char> marks(n_, 0);

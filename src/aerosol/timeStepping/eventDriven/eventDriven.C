@@ -99,11 +99,13 @@ std::vector<int> Foam::aerosol::eventDriven::findEncounters
 
     vectors middle(3, n);
     scalars reach(n);
+    scalar furthest = 0;
 
     for (int i = 0; i < n; ++i)
     {
         const Eigen::Vector3d chord = end.x.col(i) - p.x.col(i) - h*mean;
 
+        furthest = std::max(furthest, chord.norm());
         middle.col(i) = p.x.col(i) + 0.5*chord;
         reach(i) =
             0.5*chord.norm()
@@ -115,6 +117,7 @@ std::vector<int> Foam::aerosol::eventDriven::findEncounters
             );
     }
 
+    requireShort(furthest, h);
     searchContacts(p, middle, reach);
     fillPaths(p, end, h);
 
@@ -226,9 +229,6 @@ void Foam::aerosol::eventDriven::advance
     }
 
     const gasStep gas = sampleGas(p, t, h, true);
-
-    // That no particle gets too far
-    relativeWay(p, gas, h);
 
     equationOfMotion::state end;
 

@@ -28,6 +28,7 @@ Foam::aerosol::timeStepping::timeStepping(const tools& with)
     with_(with),
     step_(0),
     wakeHalo_(with.region),
+    withMiddle_(false),
     contactHalo_(with.region)
 {}
 
@@ -169,10 +170,25 @@ Foam::aerosol::scalars Foam::aerosol::timeStepping::relativeWay
           + nDeviations*with_.motion.reach(h, p).x;
     }
 
-    const scalar furthest = bricks::max(p.size() ? way.maxCoeff() : 0.0);
+    // A single one may go as far as it likes
+    const bool alone = bricks::sum(p.size()) < 2;
+
+    requireShort(p.size() && !alone ? way.maxCoeff() : 0.0, h);
+
+    return way;
+}
+
+
+void Foam::aerosol::timeStepping::requireShort
+(
+    const scalar way,
+    const scalar h
+) const
+{
+    const scalar furthest = bricks::max(way);
     const scalar shortest = with_.region.bounds().minDim();
 
-    if (furthest > shortest && bricks::sum(p.size()) > 1)
+    if (furthest > shortest)
     {
         FatalErrorInFunction
             << "In one fluid step of " << h << " s a particle can move by "
@@ -181,8 +197,6 @@ Foam::aerosol::scalars Foam::aerosol::timeStepping::relativeWay
             << " m. Reduce deltaT"
             << exit(FatalError);
     }
-
-    return way;
 }
 
 
@@ -293,15 +307,42 @@ void Foam::aerosol::timeStepping::searchWakes
         }
     }
 
+    place_.assign(p.size(), -1);
+
     for (int i = 0; i < p.size(); ++i)
     {
         if (marks[i])
         {
+            place_[i] = static_cast<int>(involved_.size());
             involved_.push_back(i);
         }
     }
 
-    sources_.slip.setZero(3, wakeHalo_.size());
+    // From now on by their places
+    const int n = p.size();
+    const int nInvolved = static_cast<int>(involved_.size());
+
+    for (particlePair& pair : wakePairs_)
+    {
+        pair.i = place_[pair.i];
+        pair.j = pair.j < n ? place_[pair.j] : pair.j - n + nInvolved;
+    }
+
+    std::vector<int> kept = involved_;
+    for (int i = n; i < wakeHalo_.size(); ++i)
+    {
+        kept.push_back(i);
+    }
+
+    sources_.x = vectors(sources_.x(Eigen::all, kept));
+    sources_.d = scalars(sources_.d(kept));
+    if (withRange)
+    {
+        sources_.range = scalars(sources_.range(kept));
+    }
+    sources_.slip.resize(3, sources_.d.size());
+
+    wakeHalo_.renumber(place_, nInvolved);
 }
 
 
@@ -315,16 +356,10 @@ void Foam::aerosol::timeStepping::wakesAt
     vectors& w
 )
 {
-    keptX.resize(3, x.cols());
-    keptSlip.resize(3, x.cols());
-
-    for (const int i : involved_)
-    {
-        keptX.col(i) = x.col(i);
-        keptSlip.col(i) = u.col(i) - v.col(i);
-        sources_.x.col(i) = keptX.col(i);
-        sources_.slip.col(i) = keptSlip.col(i);
-    }
+    keptX = x;
+    keptSlip = u - v;
+    sources_.x.leftCols(x.cols()) = keptX;
+    sources_.slip.leftCols(x.cols()) = keptSlip;
 
     wakeHalo_.fill
     ({
@@ -418,34 +453,32 @@ void Foam::aerosol::timeStepping::moveInWakes
 {
     const equationOfMotion& motion = with_.motion;
     gasStep& w = wakes_;
+    withMiddle_ = withMiddle;
+
+    // Those involved, by themselves
+    const auto select = [&](const vectors& all)
+    {
+        return
+            all.cols() ? vectors(all(Eigen::all, involved_))
+          : vectors(3, 0);
+    };
+
+    const particleArrays q = p.select(involved_);
+    const gasStep air{select(gas.u0), select(gas.um), select(gas.u1)};
+
+    equationOfMotion::state there;
+    there.kick = {select(end.kick.v), select(end.kick.x)};
 
     // The thermal velocity at the end is that of drag and noise alone
-    motion.cool(h, p, end);
+    motion.cool(h, q, there);
 
     wakesAt
     (
-        p.x, motion.drift(p.v, p.thermal), gas.u0,
+        q.x, motion.drift(q.v, q.thermal), air.u0,
         wakesX_.u0, wakesSlip_.u0, w.u0
     );
     w.um.resize(3, 0);
     w.u1.resize(3, 0);
-
-    // Nobody to move is not everybody
-    const auto move =
-    [&]
-    (
-        const scalar length,
-        const gasStep& air,
-        const gasStep& wakes,
-        const bool withEnd,
-        equationOfMotion::state& to
-    )
-    {
-        if (!involved_.empty())
-        {
-            motion.move(length, p, air, wakes, involved_, withEnd, to);
-        }
-    };
 
     vectors found;
 
@@ -453,7 +486,7 @@ void Foam::aerosol::timeStepping::moveInWakes
     {
         wakesAt
         (
-            end.x, motion.drift(end.v, end.thermal), gas.u1,
+            there.x, motion.drift(there.v, there.thermal), air.u1,
             wakesX_.u1, wakesSlip_.u1, found
         );
         w.u1.swap(found);
@@ -464,42 +497,48 @@ void Foam::aerosol::timeStepping::moveInWakes
         wakesX_.um.resize(3, 0);
         wakesSlip_.um.resize(3, 0);
 
-        move(h, gas, w, false, end);
+        motion.move(h, q, air, w, {}, false, there);
         wakesAtEnd();
-        move(h, gas, w, true, end);
+        motion.move(h, q, air, w, {}, true, there);
+    }
+    else
+    {
+        const gasStep firstHalf = air.part(0, 0.5);
+        equationOfMotion::state middle = motion.halfway(h, q, there);
 
-        return;
+        for (int n = 0; n < nIterations; ++n)
+        {
+            // First with the wakes of the beginning, later with those just
+            // found
+            const bool again = n > 0;
+
+            motion.move
+            (
+                0.5*h, q, firstHalf, again ? w.part(0, 0.5) : w, {}, again,
+                middle
+            );
+            wakesAt
+            (
+                middle.x, motion.drift(middle.v, middle.thermal),
+                firstHalf.u1, wakesX_.um, wakesSlip_.um, found
+            );
+            w.um.swap(found);
+
+            if (!again)
+            {
+                w.u1 = 2*w.um - w.u0;
+                motion.move(h, q, air, w, {}, false, there);
+            }
+
+            wakesAtEnd();
+            motion.move(h, q, air, w, {}, true, there);
+        }
     }
 
-    const gasStep firstHalf = gas.part(0, 0.5);
-    equationOfMotion::state middle = motion.halfway(h, p, end);
-    middle.x.setZero(3, p.size());
-    middle.v.setZero(3, p.size());
-
-    for (int n = 0; n < nIterations; ++n)
+    for (std::size_t k = 0; k < involved_.size(); ++k)
     {
-        // First with the wakes of the beginning, later with those just found
-        const bool again = n > 0;
-
-        move
-        (
-            0.5*h, firstHalf, again ? w.part(0, 0.5) : w, again, middle
-        );
-        wakesAt
-        (
-            middle.x, motion.drift(middle.v, middle.thermal), firstHalf.u1,
-            wakesX_.um, wakesSlip_.um, found
-        );
-        w.um.swap(found);
-
-        if (!again)
-        {
-            w.u1 = 2*w.um - w.u0;
-            move(h, gas, w, false, end);
-        }
-
-        wakesAtEnd();
-        move(h, gas, w, true, end);
+        end.x.col(involved_[k]) = there.x.col(k);
+        end.v.col(involved_[k]) = there.v.col(k);
     }
 }
 
