@@ -186,7 +186,7 @@ void move(benchmark::State& state, const std::string& drag, const int n)
 
     for (auto _ : state)
     {
-        motion.move(1e-5, p, gas, {}, {}, false, end);
+        motion.move(1e-5, p, gas, {}, false, end);
         benchmark::DoNotOptimize(end.x.data());
         benchmark::ClobberMemory();
     }

@@ -126,23 +126,16 @@ void Foam::aerosol::equationOfMotion::move
     const particleArrays& p,
     const gasStep& gas,
     const gasStep& wakes,
-    const std::vector<int>& which,
     const bool withEnd,
     state& end
 ) const
 {
-    const bool all = which.empty();
-    const int n = all ? p.size() : static_cast<int>(which.size());
+    const int n = p.size();
     const bool parabola = gas.um.cols() || wakes.um.cols();
     const bool kicked = end.kick.x.cols();
 
     end.x.resize(3, p.size());
     end.v.resize(3, p.size());
-
-    const auto index = [&](const int place)
-    {
-        return all ? place : which[place];
-    };
 
     // Those beyond the end of the last block: at rest in gas at rest
     block k = block::Zero();
@@ -160,7 +153,7 @@ void Foam::aerosol::equationOfMotion::move
 
         for (int l = 0; l < size; ++l)
         {
-            const int i = index(from + l);
+            const int i = from + l;
 
             k(l) = p.rate(i);
 
@@ -178,7 +171,7 @@ void Foam::aerosol::equationOfMotion::move
         {
             for (int l = 0; l < size; ++l)
             {
-                const int i = index(from + l);
+                const int i = from + l;
 
                 for (int c = 0; c < 3; ++c)
                 {
@@ -193,7 +186,7 @@ void Foam::aerosol::equationOfMotion::move
         {
             for (int l = 0; l < size; ++l)
             {
-                const int i = index(from + l);
+                const int i = from + l;
 
                 for (int c = 0; c < 3; ++c)
                 {
@@ -229,7 +222,7 @@ void Foam::aerosol::equationOfMotion::move
                     for (int c = 0; c < 3; ++c)
                     {
                         const double s =
-                            u1[c](l) - end.v(c, index(from + l));
+                            u1[c](l) - end.v(c, from + l);
                         slip1(l) += s*s;
                     }
                 }
@@ -239,7 +232,7 @@ void Foam::aerosol::equationOfMotion::move
 
             for (int l = 0; l < size; ++l)
             {
-                Re(l) = p.d(index(from + l))*slip(l)/gas_.nu();
+                Re(l) = p.d(from + l)*slip(l)/gas_.nu();
             }
 
             rate *= drag_->factor(Re);
@@ -279,14 +272,14 @@ void Foam::aerosol::equationOfMotion::move
 
             for (int l = 0; l < size; ++l)
             {
-                end.v(c, index(from + l)) = v1(l);
-                end.x(c, index(from + l)) = x1(l);
+                end.v(c, from + l) = v1(l);
+                end.x(c, from + l) = x1(l);
             }
         }
 
         for (int l = 0; kicked && l < size; ++l)
         {
-            const int i = index(from + l);
+            const int i = from + l;
 
             end.v.col(i) += end.kick.v.col(i);
             end.x.col(i) += end.kick.x.col(i);
@@ -657,11 +650,11 @@ void Foam::aerosol::equationOfMotion::step
 
     if (!hasWakes())
     {
-        move(h, p, gas, w, {}, false, end);
+        move(h, p, gas, w, false, end);
 
         if (!linear())
         {
-            move(h, p, gas, w, {}, true, end);
+            move(h, p, gas, w, true, end);
         }
 
         split(h, p, end);
@@ -701,7 +694,7 @@ void Foam::aerosol::equationOfMotion::step
 
         move
         (
-            0.5*h, p, firstHalf, again ? w.part(0, 0.5) : w, {}, again, middle
+            0.5*h, p, firstHalf, again ? w.part(0, 0.5) : w, again, middle
         );
         wakesAt
         (
@@ -715,11 +708,11 @@ void Foam::aerosol::equationOfMotion::step
         if (!again)
         {
             w.u1 = 2*w.um - w.u0;
-            move(h, p, gas, w, {}, false, end);
+            move(h, p, gas, w, false, end);
         }
 
         wakesAt(1, end.x, drift(end.v, end.thermal), gas.u1, w.u1);
-        move(h, p, gas, w, {}, true, end);
+        move(h, p, gas, w, true, end);
     }
 
     split(h, p, end);

@@ -172,7 +172,7 @@ void Foam::aerosol::timeStepping::moveOn
         };
 
         wakesAt(when/h, x, v, w.u0);
-        motion.move(left, single, gas, w, {}, false, there);
+        motion.move(left, single, gas, w, false, there);
         motion.cool(left, single, there);
 
         x = end.x;
@@ -184,12 +184,12 @@ void Foam::aerosol::timeStepping::moveOn
     }
     else
     {
-        motion.move(left, single, gas, w, {}, false, there);
+        motion.move(left, single, gas, w, false, there);
     }
 
     if (motion.hasWakes() || !motion.linear())
     {
-        motion.move(left, single, gas, w, {}, true, there);
+        motion.move(left, single, gas, w, true, there);
     }
 
     motion.split(left, single, there);

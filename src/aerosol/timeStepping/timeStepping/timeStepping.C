@@ -7,7 +7,6 @@
 #include "selectModel.H"
 
 #include <algorithm>
-#include <numeric>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -426,11 +425,11 @@ void Foam::aerosol::timeStepping::moveAll
     motion.kick(h, p, step_, block(noise::whole, part), end.kick);
 
     // As if there were no wakes, which is the end for most of them
-    motion.move(h, p, gas, {}, {}, false, end);
+    motion.move(h, p, gas, {}, false, end);
 
     if (!motion.linear())
     {
-        motion.move(h, p, gas, {}, {}, true, end);
+        motion.move(h, p, gas, {}, true, end);
     }
 
     if (motion.hasWakes())
@@ -497,9 +496,9 @@ void Foam::aerosol::timeStepping::moveInWakes
         wakesX_.um.resize(3, 0);
         wakesSlip_.um.resize(3, 0);
 
-        motion.move(h, q, air, w, {}, false, there);
+        motion.move(h, q, air, w, false, there);
         wakesAtEnd();
-        motion.move(h, q, air, w, {}, true, there);
+        motion.move(h, q, air, w, true, there);
     }
     else
     {
@@ -514,7 +513,7 @@ void Foam::aerosol::timeStepping::moveInWakes
 
             motion.move
             (
-                0.5*h, q, firstHalf, again ? w.part(0, 0.5) : w, {}, again,
+                0.5*h, q, firstHalf, again ? w.part(0, 0.5) : w, again,
                 middle
             );
             wakesAt
@@ -527,11 +526,11 @@ void Foam::aerosol::timeStepping::moveInWakes
             if (!again)
             {
                 w.u1 = 2*w.um - w.u0;
-                motion.move(h, q, air, w, {}, false, there);
+                motion.move(h, q, air, w, false, there);
             }
 
             wakesAtEnd();
-            motion.move(h, q, air, w, {}, true, there);
+            motion.move(h, q, air, w, true, there);
         }
     }
 
