@@ -29,10 +29,6 @@ namespace aerosol
 namespace
 {
 
-//- Fluid steps after which the particles are sorted in space again
-constexpr int sortInterval = 50;
-
-
 Foam::IOobject propertiesIO(const Foam::fvMesh& mesh)
 {
     return Foam::IOobject
@@ -629,11 +625,10 @@ void Foam::aerosol::aerosolCloud::evolve()
         h,
         mesh_.time().timeIndex()
     );
-    bricks_.settle(particles_);
 
-    if (mesh_.time().timeIndex() % sortInterval == 0)
+    if (mesh_.time().writeTime())
     {
-        searchGrid::sort(particles_);
+        timeStepping_->settle(particles_);
     }
 
     checkGrowth();

@@ -5,24 +5,51 @@
 
 #include "particleArrays.H"
 
+#include <algorithm>
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
 {
 
-std::vector<int> unmarked(const std::vector<char>& marked)
-{
-    std::vector<int> kept;
+using changes = std::vector<std::pair<int, int>>;
 
-    for (std::size_t i = 0; i < marked.size(); ++i)
+template<class Array>
+void apply(Array& values, const changes& all, const int nRemoved)
+{
+    for (const auto& one : all)
     {
-        if (!marked[i])
-        {
-            kept.push_back(static_cast<int>(i));
-        }
+        values.col(one.second) = values.col(one.first);
     }
 
-    return kept;
+    values.conservativeResize(Eigen::NoChange, values.cols() - nRemoved);
+}
+
+template<class Scalar>
+void apply
+(
+    Eigen::Array<Scalar, Eigen::Dynamic, 1>& values,
+    const changes& all,
+    const int nRemoved
+)
+{
+    for (const auto& one : all)
+    {
+        values(one.second) = values(one.first);
+    }
+
+    values.conservativeResize(values.size() - nRemoved);
+}
+
+int count(const std::vector<char>& marked)
+{
+    return static_cast<int>
+    (
+        std::count_if
+        (
+            marked.begin(), marked.end(), [](const char m) { return m; }
+        )
+    );
 }
 
 } // End anonymous namespace
@@ -119,19 +146,71 @@ Foam::aerosol::particleArrays Foam::aerosol::particleArrays::select
 
 void Foam::aerosol::particleArrays::remove(const std::vector<char>& marked)
 {
-    *this = select(unmarked(marked));
+    const changes all = moves(marked);
+    const int n = count(marked);
+    const bool withLaws = refreshed();
+
+    apply(id, all, n);
+    apply(x, all, n);
+    apply(v, all, n);
+    apply(thermal, all, n);
+    apply(d, all, n);
+    apply(m, all, n);
+    apply(primaries, all, n);
+
+    if (withLaws)
+    {
+        apply(rate, all, n);
+        apply(acceleration, all, n);
+        apply(range, all, n);
+    }
 }
 
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-void Foam::aerosol::removeColumns
+std::vector<std::pair<int, int>> Foam::aerosol::moves
 (
-    vectors& v,
     const std::vector<char>& marked
 )
 {
-    v = vectors(v(Eigen::all, unmarked(marked)));
+    changes all;
+
+    int last = static_cast<int>(marked.size()) - 1;
+
+    for (int to = 0; to <= last; ++to)
+    {
+        if (!marked[to])
+        {
+            continue;
+        }
+
+        while (last > to && marked[last])
+        {
+            --last;
+        }
+
+        if (last > to)
+        {
+            all.push_back({last, to});
+        }
+
+        --last;
+    }
+
+    return all;
+}
+
+
+void Foam::aerosol::remove(vectors& values, const std::vector<char>& marked)
+{
+    apply(values, moves(marked), count(marked));
+}
+
+
+void Foam::aerosol::remove(scalars& values, const std::vector<char>& marked)
+{
+    apply(values, moves(marked), count(marked));
 }
 
 

@@ -7,6 +7,7 @@
 #include "error.H"
 #include "IStringStream.H"
 #include "randomNumbers.H"
+#include "sortById.H"
 
 #include <gtest/gtest.h>
 
@@ -362,6 +363,7 @@ TEST(contacts, sweepKeepsTheOrder)
 
     const particleArrays merged = p;
     sweep(meetings, p);
+    testTools::sortById(p);
 
     ASSERT_EQ(p.size(), 47);
     ASSERT_EQ(left.size(), 47u);

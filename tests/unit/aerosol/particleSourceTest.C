@@ -60,7 +60,7 @@ public:
         return period_;
     }
 
-    void confine(particleArrays&) const override
+    void confine(vectors&) const override
     {}
 };
 

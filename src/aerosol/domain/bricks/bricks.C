@@ -138,28 +138,18 @@ double Foam::aerosol::bricks::sum(const double value)
 }
 
 
-Eigen::Vector3d Foam::aerosol::bricks::mean(const vectors& v)
+Eigen::Vector3d Foam::aerosol::bricks::mean
+(
+    Eigen::Vector3d total,
+    const int n
+)
 {
-    // Added and subtracted, it rounds to a multiple of 2^-20; sums of those
-    // are exact up to 2^33
-    constexpr double rounding = 0x1.8p32;
-
-    Eigen::Vector3d total = Eigen::Vector3d::Zero();
-
-    for (int i = 0; i < v.cols(); ++i)
-    {
-        for (int k = 0; k < 3; ++k)
-        {
-            total(k) += (v(k, i) + rounding) - rounding;
-        }
-    }
-
     for (int k = 0; k < 3; ++k)
     {
         total(k) = sum(total(k));
     }
 
-    return total/std::max(sum(v.cols()), 1.0);
+    return total/std::max(sum(n), 1.0);
 }
 
 

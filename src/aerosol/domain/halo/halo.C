@@ -260,6 +260,56 @@ void Foam::aerosol::halo::renumber
 }
 
 
+std::vector<int> Foam::aerosol::halo::keep(const std::vector<char>& marks)
+{
+    std::vector<int> places(nCopies(), -1);
+    messages send(bricks_.n());
+
+    int copy = 0;
+    int n = 0;
+
+    for (int rank = 0; rank < bricks_.n(); ++rank)
+    {
+        const int end = copy + received_[rank];
+        received_[rank] = 0;
+
+        for (; copy < end; ++copy)
+        {
+            send[rank].push_back(marks[copy]);
+
+            if (marks[copy])
+            {
+                ++received_[rank];
+                image_[n] = image_[copy];
+                places[copy] = n++;
+            }
+        }
+    }
+
+    image_.resize(n);
+
+    const messages back = bricks::exchange(std::move(send));
+
+    for (int rank = 0; rank < bricks_.n(); ++rank)
+    {
+        auto& list = sent_[rank];
+        std::size_t to = 0;
+
+        for (std::size_t m = 0; m < list.size(); ++m)
+        {
+            if (back[rank][m] > 0)
+            {
+                list[to++] = list[m];
+            }
+        }
+
+        list.resize(to);
+    }
+
+    return places;
+}
+
+
 std::vector<char> Foam::aerosol::halo::sent() const
 {
     std::vector<char> marks(n_, 0);

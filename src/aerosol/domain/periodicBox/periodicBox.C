@@ -87,24 +87,24 @@ Eigen::Array3d Foam::aerosol::periodicBox::period() const
 }
 
 
-void Foam::aerosol::periodicBox::confine(particleArrays& particles) const
+void Foam::aerosol::periodicBox::confine(vectors& x) const
 {
-    for (int k = 0; k < 3; ++k)
+    const Eigen::Array3d length = period();
+    const vector& least = bounds_.min();
+    const vector& most = bounds_.max();
+
+    for (int i = 0; i < x.cols(); ++i)
     {
-        const double lower = bounds_.min()[k];
-        const double upper = bounds_.max()[k];
-        const double length = upper - lower;
-
-        for (int i = 0; i < particles.size(); ++i)
+        for (int k = 0; k < 3; ++k)
         {
-            double& x = particles.x(k, i);
+            double& here = x(k, i);
 
-            if (x < lower || x >= upper)
+            if (here < least[k] || here >= most[k])
             {
-                x -= length*std::floor((x - lower)/length);
+                here -= length(k)*std::floor((here - least[k])/length(k));
 
                 // Rounding may leave it on the upper face
-                x = x < upper ? std::max(x, lower) : lower;
+                here = here < most[k] ? std::max(here, least[k]) : least[k];
             }
         }
     }

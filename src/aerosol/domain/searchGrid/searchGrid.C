@@ -248,10 +248,13 @@ void Foam::aerosol::searchGrid::acting
 (
     const int n,
     const scalars& id,
-    std::vector<particlePair>& pairs
+    std::vector<particlePair>& pairs,
+    const scalars& room
 )
 {
     pairs.clear();
+
+    const double largestRoom = room.size() ? room.maxCoeff() : 0;
 
     for (int source = 0; source < static_cast<int>(index_.size()); ++source)
     {
@@ -261,16 +264,24 @@ void Foam::aerosol::searchGrid::acting
         }
 
         const int j = index_[source];
+        const double reach = reach_[source];
 
         visit
         (
             source,
-            reach_[source],
-            [&](const int target, double)
+            reach + largestRoom,
+            [&](const int target, const double distanceSqr)
             {
                 const int i = index_[target];
 
-                if (i < n && id(i) != id(j))
+                if (i >= n || id(i) == id(j))
+                {
+                    return;
+                }
+
+                const double far = room.size() ? reach + room(i) : reach;
+
+                if (distanceSqr <= far*far)
                 {
                     pairs.push_back({i, j, {}});
                 }

@@ -127,10 +127,11 @@ void Foam::aerosol::equationOfMotion::move
     const gasStep& gas,
     const gasStep& wakes,
     const bool withEnd,
-    state& end
+    state& end,
+    const int first
 ) const
 {
-    const int n = p.size();
+    const int n = static_cast<int>(gas.u0.cols());
     const bool parabola = gas.um.cols() || wakes.um.cols();
     const bool kicked = end.kick.x.cols();
 
@@ -153,7 +154,7 @@ void Foam::aerosol::equationOfMotion::move
 
         for (int l = 0; l < size; ++l)
         {
-            const int i = from + l;
+            const int i = first + from + l;
 
             k(l) = p.rate(i);
 
@@ -162,8 +163,8 @@ void Foam::aerosol::equationOfMotion::move
                 x[c](l) = p.x(c, i);
                 v[c](l) = p.v(c, i);
                 a[c](l) = p.acceleration(c, i);
-                u0[c](l) = gas.u0(c, i);
-                u1[c](l) = gas.u1(c, i);
+                u0[c](l) = gas.u0(c, from + l);
+                u1[c](l) = gas.u1(c, from + l);
             }
         }
 
@@ -222,7 +223,7 @@ void Foam::aerosol::equationOfMotion::move
                     for (int c = 0; c < 3; ++c)
                     {
                         const double s =
-                            u1[c](l) - end.v(c, from + l);
+                            u1[c](l) - end.v(c, first + from + l);
                         slip1(l) += s*s;
                     }
                 }
@@ -232,7 +233,7 @@ void Foam::aerosol::equationOfMotion::move
 
             for (int l = 0; l < size; ++l)
             {
-                Re(l) = p.d(from + l)*slip(l)/gas_.nu();
+                Re(l) = p.d(first + from + l)*slip(l)/gas_.nu();
             }
 
             rate *= drag_->factor(Re);
@@ -272,14 +273,14 @@ void Foam::aerosol::equationOfMotion::move
 
             for (int l = 0; l < size; ++l)
             {
-                end.v(c, from + l) = v1(l);
-                end.x(c, from + l) = x1(l);
+                end.v(c, first + from + l) = v1(l);
+                end.x(c, first + from + l) = x1(l);
             }
         }
 
         for (int l = 0; kicked && l < size; ++l)
         {
-            const int i = from + l;
+            const int i = first + from + l;
 
             end.v.col(i) += end.kick.v.col(i);
             end.x.col(i) += end.kick.x.col(i);

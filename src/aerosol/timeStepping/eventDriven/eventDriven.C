@@ -43,6 +43,36 @@ constexpr int maxBrownianSteps = 1024;
 constexpr double strays = 3;
 constexpr double straysOften = 1.5;
 
+
+//- Forget the copies that are in none of the pairs
+void keepNeeded
+(
+    Foam::aerosol::halo& copies,
+    std::vector<Foam::aerosol::particlePair>& pairs
+)
+{
+    const int n = copies.n();
+    std::vector<char> needed(copies.nCopies(), 0);
+
+    for (const auto& pair : pairs)
+    {
+        if (pair.j >= n)
+        {
+            needed[pair.j - n] = 1;
+        }
+    }
+
+    const std::vector<int> places = copies.keep(needed);
+
+    for (auto& pair : pairs)
+    {
+        if (pair.j >= n)
+        {
+            pair.j = n + places[pair.j - n];
+        }
+    }
+}
+
 } // End anonymous namespace
 
 
@@ -55,13 +85,119 @@ Foam::aerosol::eventDriven::eventDriven
 )
 :
     timeStepping(with),
-    resolution_(readFraction(dict, "resolution", 0.25))
+    resolution_(readFraction(dict, "resolution", 0.25)),
+    listedWakeHalo_(with.region)
 {
     requireOnly(dict, {"type", "resolution"});
 }
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::aerosol::eventDriven::list
+(
+    particleArrays& p,
+    const scalar t,
+    const scalar h
+)
+{
+    timeStepping::settle(p);
+
+    const acoustics::soundField& sound = with_.sound;
+    const bool Brownian = with_.motion.hasBrownian();
+
+    // A merger may double the volume
+    scalars least = 1.3*(1 + margin)*0.5*p.d;
+
+    if (Brownian)
+    {
+        const Brownian::extent reach = with_.motion.reach(h, p);
+
+        least = least.max(0.5*p.d + strays*reach.stray.sqrt()) + 2*reach.x;
+    }
+
+    vectors u;
+    sound.velocity(t, p.x, u);
+
+    const scalar furthest = rooms_.make
+    (
+        p,
+        u,
+        least,
+        h,
+        sound.frequency(),
+        std::max(sound.velocityAmplitude(), 0.0),
+        bricks::sum(p.size())/with_.region.volume(),
+        with_.motion.hasWakes()
+    );
+    const scalars& room = rooms_.sizes();
+
+    requireShort(bricks::sum(p.size()) < 2 ? 0.0 : furthest, h);
+    searchContacts(p, rooms_.centres(), room);
+    contactCandidates_.swap(contactPairs_);
+    keepNeeded(contactHalo_, contactCandidates_);
+    fillIds(p);
+
+    listedRange_ = p.range;
+    searchWakes
+    (
+        p,
+        rooms_.centres(),
+        (p.range > 0).select(p.range + room, 0),
+        room
+    );
+    wakeCandidates_.swap(wakePairs_);
+    listedWakeHalo_ = wakeHalo_;
+    keepNeeded(listedWakeHalo_, wakeCandidates_);
+}
+
+
+void Foam::aerosol::eventDriven::fillIds(const particleArrays& p)
+{
+    const scalars id = p.id.cast<double>();
+
+    contactHalo_.fill({{id, copiesId_, contactHalo_}});
+}
+
+
+void Foam::aerosol::eventDriven::findWakes(const particleArrays& p)
+{
+    if (!with_.motion.hasWakes())
+    {
+        return;
+    }
+
+    const int n = p.size();
+
+    wakeHalo_ = listedWakeHalo_;
+    wakeHalo_.fill
+    ({
+        {p.x, wakeCopiesX_, wakeHalo_, true},
+        {p.range, wakeCopiesRange_, wakeHalo_}
+    });
+
+    wakePairs_.clear();
+
+    for (const particlePair& pair : wakeCandidates_)
+    {
+        const bool own = pair.j < n;
+        const double* const xi = p.x.data() + 3*pair.i;
+        const double* const xj =
+            own ? p.x.data() + 3*pair.j : wakeCopiesX_.data() + 3*(pair.j - n);
+        const double range =
+            own ? p.range(pair.j) : wakeCopiesRange_(pair.j - n);
+
+        const double r[3] = {xi[0] - xj[0], xi[1] - xj[1], xi[2] - xj[2]};
+
+        if (r[0]*r[0] + r[1]*r[1] + r[2]*r[2] <= range*range)
+        {
+            wakePairs_.push_back(pair);
+        }
+    }
+
+    involve(p, false);
+}
+
 
 std::vector<int> Foam::aerosol::eventDriven::findEncounters
 (
@@ -84,6 +220,7 @@ std::vector<int> Foam::aerosol::eventDriven::findEncounters
 
     // In the frame of the mean motion
     const Eigen::Vector3d mean = bricks::mean((end.x - p.x)/h);
+    const Eigen::Vector3d way = h*mean;
 
     // Hermite's cubic is no further from its chord than this
     const auto bulgeOf =
@@ -97,36 +234,112 @@ std::vector<int> Foam::aerosol::eventDriven::findEncounters
         return 4.0/27.0*((h*v0 - chord).norm() + (h*v1 - chord).norm());
     };
 
-    vectors middle(3, n);
-    scalars reach(n);
-    scalar furthest = 0;
-
-    for (int i = 0; i < n; ++i)
+    // A sphere around the middle of the path
+    struct sphere
     {
-        const Eigen::Vector3d chord = end.x.col(i) - p.x.col(i) - h*mean;
+        Eigen::Vector3d middle;
+        double radius;
+    };
 
-        furthest = std::max(furthest, chord.norm());
-        middle.col(i) = p.x.col(i) + 0.5*chord;
-        reach(i) =
+    const auto sphereOf =
+    [&]
+    (
+        const Eigen::Vector3d& x0,
+        const Eigen::Vector3d& v0,
+        const Eigen::Vector3d& x1,
+        const Eigen::Vector3d& v1,
+        const double d,
+        const double strayed
+    )
+    {
+        const Eigen::Vector3d chord = x1 - x0 - way;
+
+        return sphere
+        {
+            x0 + 0.5*chord,
             0.5*chord.norm()
-          + bulgeOf(start.col(i) - mean, chord, final.col(i) - mean)
+          + bulgeOf(v0 - mean, chord, v1 - mean)
           + std::max
             (
-                (1 + margin)*0.5*p.d(i),
-                0.5*p.d(i) + (Brownian ? strays*std::sqrt(stray(i)) : 0.0)
-            );
+                (1 + margin)*0.5*d,
+                0.5*d + (Brownian ? strays*std::sqrt(strayed) : 0.0)
+            )
+        };
+    };
+
+    const auto sphereOfOwn = [&](const int i)
+    {
+        return sphereOf
+        (
+            p.x.col(i), start.col(i), end.x.col(i), final.col(i), p.d(i),
+            Brownian ? stray(i) : 0.0
+        );
+    };
+
+    const auto sphereOfCopy = [&](const int c)
+    {
+        return sphereOf
+        (
+            copiesX0_.col(c), copiesV0_.col(c), copiesX1_.col(c),
+            copiesV1_.col(c), copiesD_(c), Brownian ? copiesStray_(c) : 0.0
+        );
+    };
+
+    scalars extra;
+    if (Brownian)
+    {
+        extra = 0.5*p.d + strays*stray.sqrt();
     }
 
-    requireShort(furthest, h);
-    searchContacts(p, middle, reach);
+    const bool held = rooms_.hold
+    (
+        p, start, end.x, final, h, way, 1 + margin, extra
+    );
+    rooms_.move(way);
+
+    if (bricks::max(!held) > 0)
+    {
+        // The lists lack somebody: search
+        vectors middle(3, n);
+        scalars reach(n);
+        double furthest = 0;
+
+        for (int i = 0; i < n; ++i)
+        {
+            const sphere one = sphereOfOwn(i);
+            middle.col(i) = one.middle;
+            reach(i) = one.radius;
+            furthest = std::max(furthest, 2*(one.middle - p.x.col(i)).norm());
+        }
+
+        rooms_.leave();
+        requireShort(furthest, h);
+        searchContacts(p, middle, reach);
+        contactCandidates_.swap(contactPairs_);
+    }
+
     fillPaths(p, end, h);
 
-    std::vector<int> steps(contactPairs_.size(), 0);
+    contactPairs_.clear();
+    std::vector<int> steps;
 
-    for (std::size_t k = 0; k < contactPairs_.size(); ++k)
+    for (const particlePair& pair : contactCandidates_)
     {
-        const int i = contactPairs_[k].i;
-        const int j = contactPairs_[k].j;
+        const int i = pair.i;
+        const int j = pair.j;
+
+        const sphere a = sphereOfOwn(i);
+        const sphere b = j < n ? sphereOfOwn(j) : sphereOfCopy(j - n);
+        const double sum = a.radius + b.radius;
+
+        if ((b.middle - a.middle).squaredNorm() > sum*sum)
+        {
+            continue;
+        }
+
+        contactPairs_.push_back(pair);
+        steps.push_back(0);
+        int& needed = steps.back();
 
         Eigen::Vector3d r0 = -p.x.col(i);
         Eigen::Vector3d chord = p.x.col(i) - end.x.col(i);
@@ -174,13 +387,13 @@ std::vector<int> Foam::aerosol::eventDriven::findEncounters
          || closest < radii + strays*deviation
         )
         {
-            const double way = chord.norm() + 2*bulge;
+            const double distance = chord.norm() + 2*bulge;
 
             const double resolved =
                 resolution_
                *std::max(closest - straysOften*deviation, radii);
 
-            steps[k] = static_cast<int>
+            needed = static_cast<int>
             (
                 std::max
                 (
@@ -188,15 +401,15 @@ std::vector<int> Foam::aerosol::eventDriven::findEncounters
                     std::min
                     (
                         double(maxSteps),
-                        std::ceil(way/resolved)
+                        std::ceil(distance/resolved)
                     )
                 )
             );
 
-            steps[k] =
+            needed =
                 std::max
                 (
-                    steps[k],
+                    needed,
                     static_cast<int>
                     (
                         std::min
@@ -210,6 +423,97 @@ std::vector<int> Foam::aerosol::eventDriven::findEncounters
     }
 
     return steps;
+    effort_.contactPairs += contactPairs_.size();
+
+    return steps;
+}
+
+
+void Foam::aerosol::eventDriven::tidy
+(
+    particleArrays& p,
+    const std::vector<char>& absorbed
+)
+{
+    const int n = p.size();
+    const bool withWakes = with_.motion.hasWakes();
+
+    for (const int i : returned_)
+    {
+        rooms_.check(i, p.x.col(i), (1 + margin)*0.5*p.d(i));
+
+        if (withWakes && p.range(i) > listedRange_(i))
+        {
+            rooms_.shrink(i, p.range(i) - listedRange_(i));
+            listedRange_(i) = p.range(i);
+        }
+    }
+
+    const bool any =
+        std::find(absorbed.begin(), absorbed.end(), 1) != absorbed.end();
+
+    if (bricks::max(any) == 0)
+    {
+        return;
+    }
+
+    // Where everybody is from now on
+    std::vector<int> places(n);
+    int left = 0;
+    for (int i = 0; i < n; ++i)
+    {
+        places[i] = absorbed[i] ? -1 : i;
+        left += !absorbed[i];
+    }
+    for (const auto& move : moves(absorbed))
+    {
+        places[move.first] = move.second;
+    }
+
+    const scalars gone =
+        Eigen::Map<const Eigen::Array<char, Eigen::Dynamic, 1>>
+        (
+            absorbed.data(), n
+        ).cast<double>();
+
+    const auto drop = [&](halo& copies, std::vector<particlePair>& pairs)
+    {
+        scalars copiesGone;
+        copies.fill({{gone, copiesGone, copies}});
+
+        const auto lost = [&](const particlePair& pair)
+        {
+            return
+                absorbed[pair.i]
+             || (pair.j < n ? absorbed[pair.j] : copiesGone(pair.j - n));
+        };
+
+        pairs.erase
+        (
+            std::remove_if(pairs.begin(), pairs.end(), lost), pairs.end()
+        );
+
+        keepNeeded(copies, pairs);
+        copies.renumber(places, left);
+
+        for (particlePair& pair : pairs)
+        {
+            pair.i = places[pair.i];
+            pair.j = pair.j < n ? places[pair.j] : left + pair.j - n;
+        }
+    };
+
+    drop(contactHalo_, contactCandidates_);
+
+    if (withWakes)
+    {
+        drop(listedWakeHalo_, wakeCandidates_);
+        remove(listedRange_, absorbed);
+    }
+
+    rooms_.remove(absorbed);
+    p.remove(absorbed);
+    fillIds(p);
 }
 
 
@@ -228,17 +532,28 @@ void Foam::aerosol::eventDriven::advance
         return;
     }
 
-    const gasStep gas = sampleGas(p, t, h, true);
+    if (bricks::max(rooms_.left()) > 0)
+    {
+        list(p, t, h);
+    }
 
+    const gasOfStep gas = gasWhenAsked(p, t, h, true);
     equationOfMotion::state end;
 
-    searchWakes(p, p.range, false);
+    findWakes(p);
     moveAll(h, p, gas, true, 0, end);
+
+    std::vector<int> steps;
+    std::vector<char> absorbed;
+
+    // Also without contacts: wakes need to know who leaves
+    if (with_.contacts.active() || with_.motion.hasWakes())
+    {
+        steps = findEncounters(p, end, h);
+    }
 
     if (with_.contacts.active())
     {
-        const std::vector<int> steps = findEncounters(p, end, h);
-
         std::vector<group> groups = gatherGroups(p, gas, end.kick, steps);
 
         for (group& one : groups)
@@ -248,21 +563,22 @@ void Foam::aerosol::eventDriven::advance
 
         with_.contacts.share();
 
-        const std::vector<char> absorbed = disperse(groups, p, end);
-
-        with_.motion.arrive(p, end);
-
-        if (std::find(absorbed.begin(), absorbed.end(), 1) != absorbed.end())
-        {
-            p.remove(absorbed);
-        }
+        absorbed = disperse(groups, p, end);
     }
-    else
+
+    with_.motion.arrive(p, end);
+
+    if (with_.contacts.active())
     {
-        with_.motion.arrive(p, end);
+        tidy(p, absorbed);
     }
+}
 
-    with_.region.confine(p);
+
+void Foam::aerosol::eventDriven::settle(particleArrays& p)
+{
+    timeStepping::settle(p);
+    rooms_.leave();
 }
 
 

@@ -75,7 +75,7 @@ std::vector<Foam::aerosol::timeStepping::group>
 Foam::aerosol::timeStepping::gatherGroups
 (
     const particleArrays& p,
-    const gasStep& gas,
+    const gasOfStep& gas,
     const Brownian::kicks& kick,
     const std::vector<int>& steps
 )
@@ -174,48 +174,58 @@ Foam::aerosol::timeStepping::gatherGroups
     messages members(nRanks);
     messages pairs(nRanks);
 
+    std::vector<int> own;
+
     for (int i = 0; i < n; ++i)
     {
         if (member(i))
         {
-            double* to = append(members[home(name(i))], memberLength);
-
-            *to++ = name(i);
-            *to++ = i;
-            p.pack(i, to);
-            to += particleArrays::nNumbers;
-
-            const auto add = [&](const vectors& v, const int column)
-            {
-                Eigen::Map<Eigen::Vector3d> numbers(to);
-
-                if (v.cols() && column >= 0)
-                {
-                    numbers = v.col(column);
-                }
-                else
-                {
-                    numbers.setZero();
-                }
-                to += 3;
-            };
-
-            const auto addStep = [&](const gasStep& step, const int column)
-            {
-                add(step.u0, column);
-                add(step.um, column);
-                add(step.u1, column);
-            };
-
-            const int place = with_.motion.hasWakes() ? place_[i] : -1;
-
-            addStep(gas, i);
-            addStep(wakes_, place);
-            addStep(wakesX_, place);
-            addStep(wakesSlip_, place);
-            add(kick.v, i);
-            add(kick.x, i);
+            own.push_back(i);
         }
+    }
+
+    const gasStep air = gas.some(own);
+
+    for (std::size_t k = 0; k < own.size(); ++k)
+    {
+        const int i = own[k];
+        double* to = append(members[home(name(i))], memberLength);
+
+        *to++ = name(i);
+        *to++ = i;
+        p.pack(i, to);
+        to += particleArrays::nNumbers;
+
+        const auto add = [&](const vectors& v, const int column)
+        {
+            Eigen::Map<Eigen::Vector3d> numbers(to);
+
+            if (v.cols() && column >= 0)
+            {
+                numbers = v.col(column);
+            }
+            else
+            {
+                numbers.setZero();
+            }
+            to += 3;
+        };
+
+        const auto addStep = [&](const gasStep& step, const int column)
+        {
+            add(step.u0, column);
+            add(step.um, column);
+            add(step.u1, column);
+        };
+
+        const int place = with_.motion.hasWakes() ? place_[i] : -1;
+
+        addStep(air, k);
+        addStep(wakes_, place);
+        addStep(wakesX_, place);
+        addStep(wakesSlip_, place);
+        add(kick.v, i);
+        add(kick.x, i);
     }
 
     for (const std::size_t k : inside)
@@ -321,7 +331,7 @@ Foam::aerosol::timeStepping::gatherGroups
             }
         }
 
-        if (!gas.um.cols())
+        if (!gas.parabola)
         {
             one.gas.um.resize(3, 0);
         }
@@ -407,12 +417,14 @@ std::vector<char> Foam::aerosol::timeStepping::disperse
     const messages received = bricks::exchange(std::move(send));
 
     std::vector<char> absorbed(p.size(), 0);
+    returned_.clear();
 
     for (const auto& record : records(received, returnLength))
     {
         const double* numbers = record.first;
         const int i = static_cast<int>(*numbers++);
 
+        returned_.push_back(i);
         absorbed[i] = *numbers++ > 0;
         p.unpack(i, numbers);
         numbers += particleArrays::nNumbers;

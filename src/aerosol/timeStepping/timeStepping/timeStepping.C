@@ -20,12 +20,34 @@ namespace aerosol
 }
 
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Particles that are moved together
+constexpr int runLength = 512;
+
+//- Fluid steps after which particles that were close in memory are no longer so
+//  in space
+constexpr int sortInterval = 50;
+
+
+Eigen::Vector3d corner(const Foam::vector& x)
+{
+    return {x.x(), x.y(), x.z()};
+}
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::aerosol::timeStepping::timeStepping(const tools& with)
 :
     with_(with),
     step_(0),
+    sorted_(0),
     wakeHalo_(with.region),
     withMiddle_(false),
     contactHalo_(with.region)
@@ -54,6 +76,19 @@ Foam::aerosol::timeStepping::New
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
+void Foam::aerosol::timeStepping::settle(particleArrays& p)
+{
+    with_.region.confine(p.x);
+    contactHalo_.owners().settle(p);
+
+    if (step_ - sorted_ >= sortInterval)
+    {
+        searchGrid::sort(p);
+        sorted_ = step_;
+    }
+}
+
+
 bool Foam::aerosol::timeStepping::begin
 (
     particleArrays& p,
@@ -75,7 +110,8 @@ bool Foam::aerosol::timeStepping::begin
 Foam::aerosol::timeStepping::gasStep
 Foam::aerosol::timeStepping::sampleGas
 (
-    const particleArrays& p,
+    vectors x,
+    const vectors& v,
     const scalar t,
     const scalar h,
     const bool parabola
@@ -83,28 +119,111 @@ Foam::aerosol::timeStepping::sampleGas
 {
     gasStep gas;
 
-    with_.sound.velocity(t, p.x, gas.u0);
+    // Who has left the domain finds the gas that is where the border says
+    with_.region.confine(x);
+
+    with_.sound.velocity(t, x, gas.u0);
 
     // Where a particle will be at the end matters to second order; just across
     // the border of the domain the gas is that at the border
-    vectors x1 = p.x + h*(p.v - p.thermal);
+    const Eigen::Vector3d lower = corner(with_.region.bounds().min());
+    const Eigen::Vector3d upper = corner(with_.region.bounds().max());
 
-    const vector lower = with_.region.bounds().min();
-    const vector upper = with_.region.bounds().max();
+    vectors x1(3, x.cols());
 
-    for (int k = 0; k < 3; ++k)
+    for (int i = 0; i < x.cols(); ++i)
     {
-        x1.row(k) = x1.row(k).cwiseMax(lower[k]).cwiseMin(upper[k]);
+        x1.col(i) =
+            (x.col(i) + h*v.col(i)).cwiseMax(lower).cwiseMin(upper);
     }
 
     with_.sound.velocity(t + h, x1, gas.u1);
 
     if (parabola)
     {
-        with_.sound.velocity(t + 0.5*h, 0.5*(p.x + x1), gas.um);
+        x1 = 0.5*(x + x1);
+        with_.sound.velocity(t + 0.5*h, x1, gas.um);
     }
 
     return gas;
+}
+
+
+Foam::aerosol::timeStepping::gasOfStep
+Foam::aerosol::timeStepping::gasWhenAsked
+(
+    const particleArrays& p,
+    const scalar t,
+    const scalar h,
+    const bool parabola
+) const
+{
+    return
+    {
+        [this, &p, t, h, parabola](const int first, const int size)
+        {
+            return sampleGas
+            (
+                p.x.middleCols(first, size),
+                with_.motion.drift
+                (
+                    p.v.middleCols(first, size),
+                    p.thermal.middleCols(first, size)
+                ),
+                t, h, parabola
+            );
+        },
+        [this, &p, t, h, parabola](const std::vector<int>& some)
+        {
+            return sampleGas
+            (
+                p.x(Eigen::all, some),
+                with_.motion.drift
+                (
+                    p.v(Eigen::all, some), p.thermal(Eigen::all, some)
+                ),
+                t, h, parabola
+            );
+        },
+        parabola
+    };
+}
+
+
+Foam::aerosol::timeStepping::gasOfStep
+Foam::aerosol::timeStepping::gasAtHand(const gasStep& gas)
+{
+    const auto of = [&gas](const auto& choose)
+    {
+        return gasStep
+        {
+            choose(gas.u0),
+            gas.um.cols() ? choose(gas.um) : vectors(3, 0),
+            gas.u1.cols() ? choose(gas.u1) : vectors(3, 0)
+        };
+    };
+
+    return
+    {
+        [of](const int first, const int size)
+        {
+            return of
+            (
+                [&](const vectors& u)
+                {
+                    return vectors(u.middleCols(first, size));
+                }
+            );
+        },
+        [of](const std::vector<int>& some)
+        {
+            return of
+            (
+                [&](const vectors& u) { return vectors(u(Eigen::all, some)); }
+            );
+        },
+        gas.um.cols() > 0
+    };
 }
 
 
@@ -228,7 +347,7 @@ void Foam::aerosol::timeStepping::nestedSteps
 
         now.u1 = gas.at(scalar(s + 1)/nParticle);
 
-        moveAll(hp, p, now, false, before + s, end);
+        moveAll(hp, p, gasAtHand(now), false, before + s, end);
 
         const std::vector<char> absorbed =
             meet(p, now, end, t + s*hp, hp, nCollision, before + s);
@@ -239,25 +358,58 @@ void Foam::aerosol::timeStepping::nestedSteps
         if (!absorbed.empty())
         {
             p.remove(absorbed);
-            removeColumns(now.u0, absorbed);
-            removeColumns(gas.u0, absorbed);
-            removeColumns(gas.u1, absorbed);
+            remove(now.u0, absorbed);
+            remove(gas.u0, absorbed);
+            remove(gas.u1, absorbed);
             listed = false;
         }
     }
 
-    with_.region.confine(p);
+    settle(p);
 }
 
 
 void Foam::aerosol::timeStepping::searchWakes
 (
     const particleArrays& p,
+    vectors x,
     const scalars& reach,
-    const bool withRange
+    const scalars& room
 )
 {
     wakePairs_.clear();
+
+    if (!with_.motion.hasWakes())
+    {
+        return;
+    }
+
+    // The targets' room, wherever they are: sources have to be known there
+    const scalar extra =
+        bricks::max(room.size() ? room.maxCoeff() : 0.0);
+
+    scalars reaches = (reach > 0).select(reach + extra, 0);
+    scalars id = p.id.cast<double>();
+
+    wakeHalo_.build(x, reaches, false);
+
+    reaches = reach;
+    wakeHalo_.fill
+    ({
+        {x, wakeHalo_, true}, {reaches, wakeHalo_}, {id, wakeHalo_}
+    });
+
+    grid_.build(x, reaches);
+    grid_.acting(p.size(), id, wakePairs_, room);
+}
+
+
+void Foam::aerosol::timeStepping::involve
+(
+    const particleArrays& p,
+    const bool withRange
+)
+{
     involved_.clear();
 
     if (!with_.motion.hasWakes())
@@ -265,34 +417,22 @@ void Foam::aerosol::timeStepping::searchWakes
         return;
     }
 
-    wakeHalo_.build(p.x, reach, false);
+    effort_.wakePairs += wakePairs_.size();
 
-    scalars reaches = reach;
-    scalars id = p.id.cast<double>();
-    sources_.x = p.x;
-    sources_.d = p.d;
-    sources_.range.resize(0);
+    const int n = p.size();
 
-    std::vector<halo::quantity> quantities
+    // Only those copies that somebody feels
+    std::vector<char> felt(wakeHalo_.nCopies(), 0);
+
+    for (const particlePair& pair : wakePairs_)
     {
-        {sources_.x, wakeHalo_, true},
-        {sources_.d, wakeHalo_},
-        {reaches, wakeHalo_},
-        {id, wakeHalo_}
-    };
-
-    if (withRange)
-    {
-        sources_.range = p.range;
-        quantities.push_back({sources_.range, wakeHalo_});
+        if (pair.j >= n)
+        {
+            felt[pair.j - n] = 1;
+        }
     }
 
-    wakeHalo_.fill(quantities);
-
-    grid_.build(sources_.x, reaches);
-    grid_.acting(p.size(), id, wakePairs_);
-
-    effort_.wakePairs += wakePairs_.size();
+    const std::vector<int> copies = wakeHalo_.keep(felt);
 
     std::vector<char> marks = wakeHalo_.sent();
 
@@ -300,15 +440,15 @@ void Foam::aerosol::timeStepping::searchWakes
     {
         marks[pair.i] = 1;
 
-        if (pair.j < p.size())
+        if (pair.j < n)
         {
             marks[pair.j] = 1;
         }
     }
 
-    place_.assign(p.size(), -1);
+    place_.assign(n, -1);
 
-    for (int i = 0; i < p.size(); ++i)
+    for (int i = 0; i < n; ++i)
     {
         if (marks[i])
         {
@@ -318,30 +458,31 @@ void Foam::aerosol::timeStepping::searchWakes
     }
 
     // From now on by their places
-    const int n = p.size();
     const int nInvolved = static_cast<int>(involved_.size());
 
     for (particlePair& pair : wakePairs_)
     {
         pair.i = place_[pair.i];
-        pair.j = pair.j < n ? place_[pair.j] : pair.j - n + nInvolved;
+        pair.j =
+            pair.j < n ? place_[pair.j] : nInvolved + copies[pair.j - n];
     }
-
-    std::vector<int> kept = involved_;
-    for (int i = n; i < wakeHalo_.size(); ++i)
-    {
-        kept.push_back(i);
-    }
-
-    sources_.x = vectors(sources_.x(Eigen::all, kept));
-    sources_.d = scalars(sources_.d(kept));
-    if (withRange)
-    {
-        sources_.range = scalars(sources_.range(kept));
-    }
-    sources_.slip.resize(3, sources_.d.size());
 
     wakeHalo_.renumber(place_, nInvolved);
+
+    sources_.x.resize(3, wakeHalo_.size());
+    sources_.slip.resize(3, wakeHalo_.size());
+
+    sources_.d = p.d(involved_);
+    std::vector<halo::quantity> quantities{{sources_.d, wakeHalo_}};
+
+    sources_.range.resize(0);
+    if (withRange)
+    {
+        sources_.range = p.range(involved_);
+        quantities.push_back({sources_.range, wakeHalo_});
+    }
+
+    wakeHalo_.fill(quantities);
 }
 
 
@@ -394,8 +535,7 @@ void Foam::aerosol::timeStepping::searchContacts
     ({
         {places, contactHalo_, true},
         {reaches, contactHalo_},
-        {id, contactHalo_},
-        {p.d, copiesD_, contactHalo_}
+        {id, contactHalo_}
     });
 
     copiesId_ = id.tail(contactHalo_.nCopies());
@@ -403,7 +543,6 @@ void Foam::aerosol::timeStepping::searchContacts
     grid_.build(places, reaches);
     grid_.touching(p.size(), id, contactPairs_);
 
-    effort_.contactPairs += contactPairs_.size();
 }
 
 
@@ -411,7 +550,7 @@ void Foam::aerosol::timeStepping::moveAll
 (
     const scalar h,
     const particleArrays& p,
-    const gasStep& gas,
+    const gasOfStep& gas,
     const bool withMiddle,
     const int part,
     equationOfMotion::state& end
@@ -424,12 +563,22 @@ void Foam::aerosol::timeStepping::moveAll
 
     motion.kick(h, p, step_, block(noise::whole, part), end.kick);
 
-    // As if there were no wakes, which is the end for most of them
-    motion.move(h, p, gas, {}, false, end);
+    end.x.resize(3, p.size());
+    end.v.resize(3, p.size());
 
-    if (!motion.linear())
+    // As if there were no wakes, which is the end for most of them. Run by
+    // run, that the gas at them stays in the cache.
+    for (int first = 0; first < p.size(); first += runLength)
     {
-        motion.move(h, p, gas, {}, true, end);
+        const int size = std::min(runLength, p.size() - first);
+        const gasStep air = gas.run(first, size);
+
+        motion.move(h, p, air, {}, false, end, first);
+
+        if (!motion.linear())
+        {
+            motion.move(h, p, air, {}, true, end, first);
+        }
     }
 
     if (motion.hasWakes())
@@ -445,7 +594,7 @@ void Foam::aerosol::timeStepping::moveInWakes
 (
     const scalar h,
     const particleArrays& p,
-    const gasStep& gas,
+    const gasOfStep& gas,
     const bool withMiddle,
     equationOfMotion::state& end
 )
@@ -463,7 +612,7 @@ void Foam::aerosol::timeStepping::moveInWakes
     };
 
     const particleArrays q = p.select(involved_);
-    const gasStep air{select(gas.u0), select(gas.um), select(gas.u1)};
+    const gasStep air = gas.some(involved_);
 
     equationOfMotion::state there;
     there.kick = {select(end.kick.v), select(end.kick.x)};
@@ -556,7 +705,8 @@ void Foam::aerosol::timeStepping::fillPaths
         {p.x, copiesX0_, contactHalo_, true},
         {Brownian ? end.path0 : p.v, copiesV0_, contactHalo_, false},
         {end.x, copiesX1_, contactHalo_, true},
-        {Brownian ? end.path1 : end.v, copiesV1_, contactHalo_, false}
+        {Brownian ? end.path1 : end.v, copiesV1_, contactHalo_, false},
+        {p.d, copiesD_, contactHalo_}
     };
 
     if (Brownian)
@@ -607,10 +757,9 @@ void Foam::aerosol::timeStepping::search
 
     searchWakes
     (
-        p,
-        (p.range > 0).select(p.range + way + furthest, p.range),
-        true
+        p, p.x, (p.range > 0).select(p.range + way + furthest, p.range)
     );
+    involve(p, true);
 
     // More for the wake of a neighbour, which is no faster than its slip, and
     // that no faster than twice the relative speed. A sphere that has just
@@ -619,6 +768,7 @@ void Foam::aerosol::timeStepping::search
     const scalar drawn = with_.motion.hasWakes() ? 2*furthest : 0;
 
     searchContacts(p, p.x, 0.5*p.d + way + drawn);
+    effort_.contactPairs += contactPairs_.size();
 }
 
 
@@ -745,7 +895,8 @@ std::vector<char> Foam::aerosol::timeStepping::meet
         return {};
     }
 
-    std::vector<group> groups = gatherGroups(p, gas, end.kick, steps);
+    std::vector<group> groups =
+        gatherGroups(p, gasAtHand(gas), end.kick, steps);
 
     for (group& one : groups)
     {

@@ -1,0 +1,256 @@
+/*---------------------------------------------------------------------------*\
+    acousticDEM: acoustic agglomeration of aerosols
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "rooms.H"
+#include "bricks.H"
+
+#include <array>
+#include <cmath>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- A search costs as much as to look at so many pairs (measured: some 80 ns per
+//  particle and 4 ns per pair)
+constexpr double searchCost = 20;
+
+constexpr int mostSteps = 32;
+
+//- Rooms for the whole swing: their size, in swings, and how many steps they are
+//  reckoned to last
+constexpr double swingFactor = 1.1;
+constexpr int swingSteps = 100;
+
+//- What drift may use up before a new search, in mean distances
+constexpr double drift = 0.02;
+
+//- The way of the next step, in ways of this one
+constexpr double growth = 1.1;
+
+constexpr int blockSize = 64;
+using block = Eigen::Array<double, blockSize, 1>;
+
+block norm(const std::array<block, 3>& v)
+{
+    return
+        (v[0].square() + v[1].square() + v[2].square() + 1e-60).sqrt();
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+double Foam::aerosol::rooms::make
+(
+    const particleArrays& p,
+    const vectors& u,
+    const scalars& least,
+    const double h,
+    const double frequency,
+    const double velocityAmplitude,
+    const double concentration,
+    const bool withWakes
+)
+{
+    const int n = p.size();
+    const double omega = 2*EIGEN_PI*frequency;
+
+    const Eigen::Vector3d mean = bricks::mean(p.v - p.thermal);
+
+    // Real and imaginary part of the response
+    vectors response = vectors::Zero(3, n);
+    if (frequency > 0)
+    {
+        for (int i = 0; i < n; ++i)
+        {
+            const double s = omega/p.rate(i);
+            response(0, i) = 1/(1 + s*s);
+            response(1, i) = -s/(1 + s*s);
+        }
+    }
+
+    const Eigen::Vector3d meanResponse = bricks::mean(response);
+
+    scalars way(n);
+    for (int i = 0; i < n; ++i)
+    {
+        way(i) =
+            h
+           *std::max
+            (
+                (p.v.col(i) - p.thermal.col(i) - mean).norm(),
+                velocityAmplitude*(response.col(i) - meanResponse).norm()
+            );
+    }
+
+    // In mean distances, so that the mean does not lose them
+    const double inverse = std::cbrt(concentration);
+    const double sphere = 4*EIGEN_PI/3;
+
+    // Looks at pairs per particle and step, if rooms of K ways last some steps
+    const auto cost = [&](const double K, const double steps)
+    {
+        vectors S(3, n);
+        vectors R = vectors::Zero(3, n);
+        vectors sources = vectors::Zero(3, n);
+
+        for (int i = 0; i < n; ++i)
+        {
+            const double s = inverse*(least(i) + K*way(i)) + drift;
+            S.col(i) << s, s*s, s*s*s;
+
+            if (withWakes && p.range(i) > 0)
+            {
+                const double r = inverse*p.range(i) + s;
+                R.col(i) << r, r*r, r*r*r;
+                sources(0, i) = 1;
+            }
+        }
+
+        const Eigen::Vector3d s = bricks::mean(S);
+        const Eigen::Vector3d r = bricks::mean(R);
+        const double part = bricks::mean(sources)(0);
+
+        return
+            searchCost/steps
+          + sphere
+           *(
+                0.5*(2*s(2) + 6*s(1)*s(0))
+              + r(2) + 3*r(1)*s(0) + 3*r(0)*s(1) + part*s(2)
+            );
+    };
+
+    double K = 1;
+    double cheapest = cost(K, K);
+
+    while (K < mostSteps)
+    {
+        const double next = cost(2*K, 2*K);
+
+        if (next > cheapest)
+        {
+            break;
+        }
+
+        K *= 2;
+        cheapest = next;
+    }
+
+    centre_ = p.x;
+    moved_.setZero();
+    left_ = false;
+
+    const double swing = frequency > 0 ? 1/(omega*h) : 0;
+
+    if (frequency > 0 && cost(swingFactor*swing, swingSteps) < cheapest)
+    {
+        K = swingFactor*swing;
+
+        const auto accelerations =
+            p.acceleration.array()
+          + (u - p.v + p.thermal).array().rowwise()*p.rate.transpose();
+
+        const Eigen::Vector3d common = bricks::mean(accelerations.matrix());
+
+        for (int i = 0; i < n; ++i)
+        {
+            const Eigen::Vector3d off =
+                (accelerations.matrix().col(i) - common)/(omega*omega);
+
+            // It was not swinging like that if it is further away
+            centre_.col(i) +=
+                off*std::min(1.0, swing*way(i)/(off.norm() + 1e-30));
+        }
+    }
+
+    size_ = least + K*way + drift/inverse;
+
+    return n ? way.maxCoeff() : 0;
+}
+
+
+bool Foam::aerosol::rooms::hold
+(
+    const particleArrays& p,
+    const vectors& v0,
+    const vectors& x1,
+    const vectors& v1,
+    const double h,
+    const Eigen::Vector3d& way,
+    const double radii,
+    const scalars& extra
+)
+{
+    const int n = p.size();
+    const Eigen::Vector3d mean = way/h;
+    const Eigen::Vector3d after = moved_ + way;
+
+    bool inside = true;
+
+    block room = block::Ones();
+    block own = block::Zero();
+    std::array<block, 3> chord, off, begin, end;
+
+    for (std::array<block, 3>* values : {&chord, &off, &begin, &end})
+    {
+        values->fill(block::Zero());
+    }
+
+    for (int from = 0; from < n; from += blockSize)
+    {
+        const int size = std::min(blockSize, n - from);
+
+        for (int l = 0; l < size; ++l)
+        {
+            const int i = from + l;
+
+            for (int c = 0; c < 3; ++c)
+            {
+                chord[c](l) = x1(c, i) - p.x(c, i) - way(c);
+                off[c](l) = x1(c, i) - centre_(c, i) - after(c);
+                begin[c](l) = h*(v0(c, i) - mean(c)) - chord[c](l);
+                end[c](l) = h*(v1(c, i) - mean(c)) - chord[c](l);
+            }
+
+            room(l) = size_(i);
+            own(l) = 0.5*radii*p.d(i);
+        }
+
+        if (extra.size())
+        {
+            for (int l = 0; l < size; ++l)
+            {
+                own(l) = std::max(own(l), extra(from + l));
+            }
+        }
+
+        for (int l = size; l < blockSize; ++l)
+        {
+            room(l) = 1e100;
+        }
+
+        const block length = norm(chord);
+        const block bulge = 4.0/27*(norm(begin) + norm(end));
+        const block need = norm(off) + length + bulge + own;
+
+        inside = inside && (need <= room).all();
+        left_ = left_ || (need + (growth - 1)*length > room).any();
+    }
+
+    return inside;
+}
+
+
+void Foam::aerosol::rooms::remove(const std::vector<char>& marked)
+{
+    aerosol::remove(centre_, marked);
+    aerosol::remove(size_, marked);
+}
+
+
+// ************************************************************************* //
