@@ -248,13 +248,10 @@ void Foam::aerosol::searchGrid::acting
 (
     const int n,
     const scalars& id,
-    std::vector<particlePair>& pairs,
-    const scalars& room
+    std::vector<particlePair>& pairs
 )
 {
     pairs.clear();
-
-    const double largestRoom = room.size() ? room.maxCoeff() : 0;
 
     for (int source = 0; source < static_cast<int>(index_.size()); ++source)
     {
@@ -264,27 +261,76 @@ void Foam::aerosol::searchGrid::acting
         }
 
         const int j = index_[source];
-        const double reach = reach_[source];
 
         visit
         (
             source,
-            reach + largestRoom,
-            [&](const int target, const double distanceSqr)
+            reach_[source],
+            [&](const int target, double)
             {
                 const int i = index_[target];
 
-                if (i >= n || id(i) == id(j))
+                if (i < n && id(i) != id(j))
+                {
+                    pairs.push_back({i, j, {}});
+                }
+            }
+        );
+    }
+}
+
+
+void Foam::aerosol::searchGrid::acting
+(
+    const int n,
+    const scalars& id,
+    const scalars& room,
+    std::vector<particlePair>& pairs
+)
+{
+    pairs.clear();
+
+    // Whether the one at a place acts on the other
+    const auto add =
+    [&](const int source, const int target, const double distanceSqr)
+    {
+        const int i = index_[target];
+        const int j = index_[source];
+
+        if (i < n && reach_[source] > room(j))
+        {
+            const double far = reach_[source] + room(i);
+
+            if (distanceSqr <= far*far)
+            {
+                pairs.push_back({i, j, {}});
+            }
+        }
+    };
+
+    // The one with the larger reach looks for the other one, for both
+    for (int own = 0; own < static_cast<int>(index_.size()); ++own)
+    {
+        const double reach = reach_[own];
+
+        visit
+        (
+            own,
+            2*reach,
+            [&](const int other, const double distanceSqr)
+            {
+                if
+                (
+                    reach_[other] > reach
+                 || (reach_[other] == reach && index_[other] < index_[own])
+                 || id(index_[own]) == id(index_[other])
+                )
                 {
                     return;
                 }
 
-                const double far = room.size() ? reach + room(i) : reach;
-
-                if (distanceSqr <= far*far)
-                {
-                    pairs.push_back({i, j, {}});
-                }
+                add(own, other, distanceSqr);
+                add(other, own, distanceSqr);
             }
         );
     }

@@ -116,19 +116,25 @@ void Foam::aerosol::eventDriven::list
         least = least.max(0.5*p.d + strays*reach.stray.sqrt()) + 2*reach.x;
     }
 
-    vectors u;
-    sound.velocity(t, p.x, u);
+    // Where they are about to go, in wakes as they are now
+    const gasStep gas = sampleGas(p, t, h);
+    gasStep wakes;
+    const scalars wakeSpeed = wakesNow(p, gas.u0, wakes.u0);
+
+    equationOfMotion::state end;
+    with_.motion.move(h, p, gas, wakes, false, end);
 
     const scalar furthest = rooms_.make
     (
         p,
-        u,
+        end.x,
+        end.v,
+        wakeSpeed,
         least,
         h,
         sound.frequency(),
         std::max(sound.velocityAmplitude(), 0.0),
-        bricks::sum(p.size())/with_.region.volume(),
-        with_.motion.hasWakes()
+        bricks::sum(p.size())/with_.region.volume()
     );
     const scalars& room = rooms_.sizes();
 
@@ -149,6 +155,71 @@ void Foam::aerosol::eventDriven::list
     wakeCandidates_.swap(wakePairs_);
     listedWakeHalo_ = wakeHalo_;
     keepNeeded(listedWakeHalo_, wakeCandidates_);
+}
+
+
+Foam::aerosol::scalars Foam::aerosol::eventDriven::wakesNow
+(
+    const particleArrays& p,
+    const vectors& u,
+    vectors& w
+)
+{
+    if (!with_.motion.hasWakes())
+    {
+        return {};
+    }
+
+    const double omega = 2*EIGEN_PI*with_.sound.frequency();
+    const double u0 = std::max(with_.sound.velocityAmplitude(), 0.0);
+    const int n = p.size();
+
+    searchWakes(p, p.x, p.range);
+
+    // The slip of Stokes' response, times the radius
+    scalars strength(n);
+    for (int j = 0; j < n; ++j)
+    {
+        const double s = omega/p.rate(j);
+        strength(j) = 0.5*p.d(j)*s/std::sqrt(1 + s*s)*u0;
+    }
+
+    wakeHalo_.fill
+    ({
+        {p.x, wakeCopiesX_, wakeHalo_, true},
+        {strength, wakeHalo_},
+    });
+
+    scalars speed = scalars::Zero(n);
+
+    for (const particlePair& pair : wakePairs_)
+    {
+        const vectors& xj = pair.j < n ? p.x : wakeCopiesX_;
+        const int column = pair.j < n ? pair.j : pair.j - n;
+        const double r = (p.x.col(pair.i) - xj.col(column)).norm();
+
+        speed(pair.i) +=
+            1.5*strength(pair.j)/std::max(r, 0.5*p.d(pair.i));
+    }
+
+    involve(p, false);
+
+    vectors kept, slip, found;
+    wakesAt
+    (
+        p.x(Eigen::all, involved_),
+        with_.motion.drift
+        (
+            p.v(Eigen::all, involved_), p.thermal(Eigen::all, involved_)
+        ),
+        u(Eigen::all, involved_),
+        kept, slip, found
+    );
+
+    w.setZero(3, n);
+    w(Eigen::all, involved_) = found;
+
+    return speed;
 }
 
 

@@ -48,15 +48,17 @@ block norm(const std::array<block, 3>& v)
 double Foam::aerosol::rooms::make
 (
     const particleArrays& p,
-    const vectors& u,
+    const vectors& x1,
+    const vectors& v1,
+    const scalars& wakeSpeed,
     const scalars& least,
     const double h,
     const double frequency,
     const double velocityAmplitude,
-    const double concentration,
-    const bool withWakes
+    const double concentration
 )
 {
+    const bool withWakes = wakeSpeed.size();
     const int n = p.size();
     const double omega = 2*EIGEN_PI*frequency;
 
@@ -85,6 +87,7 @@ double Foam::aerosol::rooms::make
             (
                 (p.v.col(i) - p.thermal.col(i) - mean).norm(),
                 velocityAmplitude*(response.col(i) - meanResponse).norm()
+              + (withWakes ? 2*response.col(i).norm()*wakeSpeed(i) : 0.0)
             );
     }
 
@@ -151,16 +154,15 @@ double Foam::aerosol::rooms::make
     {
         K = swingFactor*swing;
 
-        const auto accelerations =
-            p.acceleration.array()
-          + (u - p.v + p.thermal).array().rowwise()*p.rate.transpose();
+        // From the middle of the next step, but where all are now
+        const auto offsets =
+            0.5*(x1 - p.x) + (v1 - p.v + p.thermal)/(h*omega*omega);
 
-        const Eigen::Vector3d common = bricks::mean(accelerations.matrix());
+        const Eigen::Vector3d common = bricks::mean(offsets/h)*h;
 
         for (int i = 0; i < n; ++i)
         {
-            const Eigen::Vector3d off =
-                (accelerations.matrix().col(i) - common)/(omega*omega);
+            const Eigen::Vector3d off = offsets.col(i) - common;
 
             // It was not swinging like that if it is further away
             centre_.col(i) +=

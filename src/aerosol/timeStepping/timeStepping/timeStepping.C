@@ -384,23 +384,34 @@ void Foam::aerosol::timeStepping::searchWakes
         return;
     }
 
-    // The targets' room, wherever they are: sources have to be known there
-    const scalar extra =
-        bricks::max(room.size() ? room.maxCoeff() : 0.0);
+    const bool mutual = room.size();
 
-    scalars reaches = (reach > 0).select(reach + extra, 0);
+    scalars reaches = mutual ? scalars(reach.max(room)) : reach;
+    scalars rooms = room;
     scalars id = p.id.cast<double>();
 
-    wakeHalo_.build(x, reaches, false);
+    wakeHalo_.build(x, reaches, mutual);
 
-    reaches = reach;
-    wakeHalo_.fill
-    ({
+    std::vector<halo::quantity> quantities
+    {
         {x, wakeHalo_, true}, {reaches, wakeHalo_}, {id, wakeHalo_}
-    });
+    };
+    if (mutual)
+    {
+        quantities.push_back({rooms, wakeHalo_});
+    }
+    wakeHalo_.fill(quantities);
 
     grid_.build(x, reaches);
-    grid_.acting(p.size(), id, wakePairs_, room);
+
+    if (mutual)
+    {
+        grid_.acting(p.size(), id, rooms, wakePairs_);
+    }
+    else
+    {
+        grid_.acting(p.size(), id, wakePairs_);
+    }
 }
 
 
