@@ -6,6 +6,7 @@
 #include "equationOfMotion.H"
 #include "IStringStream.H"
 
+#include <algorithm>
 #include <cmath>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -18,6 +19,75 @@ namespace
 constexpr int blockSize = 64;
 
 using block = Eigen::Array<double, blockSize, 1>;
+
+//- The three components of vectors
+using blocks = std::array<block, 3>;
+
+
+//- The columns of v from a first one on, components apart. Zero beyond size,
+//  also if there are no columns.
+void load
+(
+    const Foam::aerosol::vectors& v,
+    const int first,
+    const int size,
+    blocks& apart
+)
+{
+    double buffer[3*blockSize];
+    const double* from = v.data() + 3*first;
+
+    if (size < blockSize || !v.cols())
+    {
+        const int end = v.cols() ? 3*size : 0;
+
+        std::copy(from, from + end, buffer);
+        std::fill(buffer + end, buffer + 3*blockSize, 0.0);
+        from = buffer;
+    }
+
+    double* const x = apart[0].data();
+    double* const y = apart[1].data();
+    double* const z = apart[2].data();
+
+    for (int l = 0; l < blockSize; ++l)
+    {
+        x[l] = from[3*l];
+        y[l] = from[3*l + 1];
+        z[l] = from[3*l + 2];
+    }
+}
+
+
+//- The reverse
+void store
+(
+    const blocks& apart,
+    const int first,
+    const int size,
+    Foam::aerosol::vectors& v
+)
+{
+    double buffer[3*blockSize];
+    double* const to = v.data() + 3*first;
+    double* const whole = size < blockSize ? buffer : to;
+
+    const double* const x = apart[0].data();
+    const double* const y = apart[1].data();
+    const double* const z = apart[2].data();
+
+    for (int l = 0; l < blockSize; ++l)
+    {
+        whole[3*l] = x[l];
+        whole[3*l + 1] = y[l];
+        whole[3*l + 2] = z[l];
+    }
+
+    if (size < blockSize)
+    {
+        std::copy(buffer, buffer + 3*size, to);
+    }
+}
 
 
 //- The factors A, B, C of the exact integration, at z = h k
@@ -141,64 +211,45 @@ void Foam::aerosol::equationOfMotion::move
     // Those beyond the end of the last block: at rest in gas at rest
     block k = block::Zero();
     scalars Re = scalars::Zero(blockSize);
-    std::array<block, 3> x, v, u0, um, u1, a;
-
-    for (std::array<block, 3>* values : {&x, &v, &u0, &um, &u1, &a})
-    {
-        values->fill(block::Zero());
-    }
+    blocks x, v, a, u0, um, u1, x1, v1, w0, wm, w1;
 
     for (int from = 0; from < n; from += blockSize)
     {
         const int size = std::min(blockSize, n - from);
+        const int i0 = first + from;
 
-        for (int l = 0; l < size; ++l)
+        k.setZero();
+        std::copy(p.rate.data() + i0, p.rate.data() + i0 + size, k.data());
+
+        load(p.x, i0, size, x);
+        load(p.v, i0, size, v);
+        load(p.acceleration, i0, size, a);
+        load(gas.u0, from, size, u0);
+        load(gas.u1, from, size, u1);
+
+        if (gas.um.cols())
         {
-            const int i = first + from + l;
-
-            k(l) = p.rate(i);
-
+            load(gas.um, from, size, um);
+        }
+        else
+        {
             for (int c = 0; c < 3; ++c)
             {
-                x[c](l) = p.x(c, i);
-                v[c](l) = p.v(c, i);
-                a[c](l) = p.acceleration(c, i);
-                u0[c](l) = gas.u0(c, from + l);
-                u1[c](l) = gas.u1(c, from + l);
-            }
-        }
-
-        if (parabola)
-        {
-            for (int l = 0; l < size; ++l)
-            {
-                const int i = from + l;
-
-                for (int c = 0; c < 3; ++c)
-                {
-                    um[c](l) =
-                        gas.um.cols() ? gas.um(c, i)
-                      : 0.5*(u0[c](l) + u1[c](l));
-                }
+                um[c] = 0.5*(u0[c] + u1[c]);
             }
         }
 
         if (wakes.u0.cols())
         {
-            for (int l = 0; l < size; ++l)
+            load(wakes.u0, from, size, w0);
+            load(wakes.u1.cols() ? wakes.u1 : wakes.u0, from, size, w1);
+            load(wakes.um, from, size, wm);
+
+            for (int c = 0; c < 3; ++c)
             {
-                const int i = from + l;
-
-                for (int c = 0; c < 3; ++c)
-                {
-                    const double w0 = wakes.u0(c, i);
-                    const double w1 = wakes.u1.cols() ? wakes.u1(c, i) : w0;
-
-                    u0[c](l) += w0;
-                    u1[c](l) += w1;
-                    um[c](l) +=
-                        wakes.um.cols() ? wakes.um(c, i) : 0.5*(w0 + w1);
-                }
+                um[c] += wakes.um.cols() ? wm[c] : block(0.5*(w0[c] + w1[c]));
+                u0[c] += w0[c];
+                u1[c] += w1[c];
             }
         }
 
@@ -216,24 +267,22 @@ void Foam::aerosol::equationOfMotion::move
 
             if (withEnd)
             {
-                block slip1 = block::Zero();
+                load(end.v, i0, size, v1);
 
-                for (int l = 0; l < size; ++l)
-                {
-                    for (int c = 0; c < 3; ++c)
-                    {
-                        const double s =
-                            u1[c](l) - end.v(c, first + from + l);
-                        slip1(l) += s*s;
-                    }
-                }
+                const block slip1 =
+                (
+                    (u1[0] - v1[0]).square()
+                  + (u1[1] - v1[1]).square()
+                  + (u1[2] - v1[2]).square()
+                  + 1e-60
+                ).sqrt();
 
-                slip = 0.5*(slip + (slip1 + 1e-60).sqrt());
+                slip = 0.5*(slip + slip1);
             }
 
             for (int l = 0; l < size; ++l)
             {
-                Re(l) = p.d(first + from + l)*slip(l)/gas_.nu();
+                Re(l) = p.d(i0 + l)*slip(l)/gas_.nu();
             }
 
             rate *= drag_->factor(Re);
@@ -254,7 +303,7 @@ void Foam::aerosol::equationOfMotion::move
             const block slip = u0[c] - v[c];
             block change = u1[c] - u0[c];
 
-            block v1 = v[c] + slip*zA + a[c]*(h*A);
+            v1[c] = v[c] + slip*zA + a[c]*(h*A);
             block way = v[c] + slip*zB + a[c]*(h*B);
 
             if (parabola)
@@ -262,26 +311,21 @@ void Foam::aerosol::equationOfMotion::move
                 const block bent = 2*(u0[c] + u1[c] - 2*um[c]);
 
                 change -= bent;
-                v1 += bent*square;
+                v1[c] += bent*square;
                 way += bent*cube;
             }
 
-            v1 += change*zB;
+            v1[c] += change*zB;
             way += change*zC;
 
-            const block x1 = x[c] + h*way;
-
-            for (int l = 0; l < size; ++l)
-            {
-                end.v(c, first + from + l) = v1(l);
-                end.x(c, first + from + l) = x1(l);
-            }
+            x1[c] = x[c] + h*way;
         }
 
-        for (int l = 0; kicked && l < size; ++l)
-        {
-            const int i = first + from + l;
+        store(x1, i0, size, end.x);
+        store(v1, i0, size, end.v);
 
+        for (int i = i0; kicked && i < i0 + size; ++i)
+        {
             end.v.col(i) += end.kick.v.col(i);
             end.x.col(i) += end.kick.x.col(i);
         }

@@ -174,15 +174,24 @@ Foam::aerosol::scalars Foam::aerosol::eventDriven::wakesNow
     const double u0 = std::max(with_.sound.velocityAmplitude(), 0.0);
     const int n = p.size();
 
-    searchWakes(p, p.x, p.range);
-
-    // The slip of Stokes' response, times the radius
+    // The slip of Stokes' response, times the radius; and how far a source gets
+    // when it swings in the gas: who is out of range now may be so no more then
     scalars strength(n);
+    scalars reach = p.range;
     for (int j = 0; j < n; ++j)
     {
         const double s = omega/p.rate(j);
-        strength(j) = 0.5*p.d(j)*s/std::sqrt(1 + s*s)*u0;
+        const double slip = s/std::sqrt(1 + s*s)*u0;
+
+        strength(j) = 0.5*p.d(j)*slip;
+
+        if (omega > 0 && reach(j) > 0)
+        {
+            reach(j) += 2*slip/omega;
+        }
     }
+
+    searchWakes(p, p.x, reach);
 
     wakeHalo_.fill
     ({
@@ -202,7 +211,7 @@ Foam::aerosol::scalars Foam::aerosol::eventDriven::wakesNow
             1.5*strength(pair.j)/std::max(r, 0.5*p.d(pair.i));
     }
 
-    involve(p, false);
+    involve(p, true);
 
     vectors kept, slip, found;
     wakesAt
@@ -289,9 +298,9 @@ std::vector<int> Foam::aerosol::eventDriven::findEncounters
         stray = with_.motion.reach(h, p).stray;
     }
 
-    // In the frame of the mean motion
-    const Eigen::Vector3d mean = bricks::mean((end.x - p.x)/h);
-    const Eigen::Vector3d way = h*mean;
+    // In the frame of the common motion
+    const Eigen::Vector3d& way = commonWay_;
+    const Eigen::Vector3d mean = way/h;
 
     // Hermite's cubic is no further from its chord than this
     const auto bulgeOf =

@@ -50,6 +50,7 @@ Foam::aerosol::timeStepping::timeStepping(const tools& with)
     sorted_(0),
     wakeHalo_(with.region),
     withMiddle_(false),
+    commonWay_(Eigen::Vector3d::Zero()),
     contactHalo_(with.region)
 {}
 
@@ -591,6 +592,8 @@ void Foam::aerosol::timeStepping::moveAll
             motion.move(h, p, air, {}, true, end, first);
         }
     }
+
+    commonWay_ = h*bricks::mean((end.x - p.x)/h);
 
     if (motion.hasWakes())
     {
