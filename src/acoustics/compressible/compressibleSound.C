@@ -222,13 +222,15 @@ Foam::scalar Foam::acoustics::compressibleSound::velocityAmplitude() const
 }
 
 
-void Foam::acoustics::compressibleSound::prepare(const boundBox& region)
+Foam::label Foam::acoustics::compressibleSound::prepare(const boundBox& region)
 {
-    sampler_.reset(new regionSampler(mesh_, region));
-    sampler_->reset(U_.oldTime(), U_);
+    samplers_.push_back(std::make_unique<regionSampler>(mesh_, region));
 
-    const Eigen::Array3d& spacing = sampler_->lattice().spacing();
-    const scalar error = sampler_->interpolationError
+    regionSampler& sampler = *samplers_.back();
+    sampler.reset(U_.oldTime(), U_);
+
+    const Eigen::Array3d& spacing = sampler.lattice().spacing();
+    const scalar error = sampler.interpolationError
     (
         constant::mathematical::twoPi*frequency()/gas_.c
     );
@@ -245,6 +247,8 @@ void Foam::acoustics::compressibleSound::prepare(const boundBox& region)
             << " well: " << 100*error << " % of the velocity amplitude are"
             << " lost between them" << endl;
     }
+
+    return samplers_.size() - 1;
 }
 
 
@@ -271,9 +275,9 @@ void Foam::acoustics::compressibleSound::advance()
 
     rho_ = thermo_->rho();
 
-    if (sampler_)
+    for (const auto& sampler : samplers_)
     {
-        sampler_->advance(U_);
+        sampler->advance(U_);
     }
 }
 
@@ -285,7 +289,19 @@ void Foam::acoustics::compressibleSound::velocity
     vectors& u
 ) const
 {
-    if (!sampler_)
+    velocityIn(0, t, x, u);
+}
+
+
+void Foam::acoustics::compressibleSound::velocityIn
+(
+    const label region,
+    const scalar t,
+    const vectors& x,
+    vectors& u
+) const
+{
+    if (region >= label(samplers_.size()))
     {
         FatalErrorInFunction
             << "The gas velocity is asked for before a region was announced"
@@ -297,7 +313,7 @@ void Foam::acoustics::compressibleSound::velocity
     const scalar step = mesh_.time().deltaTValue();
     const scalar fraction = 1 + (t - end)/step;
 
-    sampler_->velocity(std::clamp(fraction, 0.0, 1.0), x, u);
+    samplers_[region]->velocity(std::clamp(fraction, 0.0, 1.0), x, u);
 }
 
 

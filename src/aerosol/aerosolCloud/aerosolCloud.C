@@ -32,19 +32,6 @@ namespace
 //- Fluid steps after which the particles are sorted in space again
 constexpr int sortInterval = 50;
 
-
-Foam::IOobject propertiesIO(const Foam::fvMesh& mesh)
-{
-    return Foam::IOobject
-    (
-        "aerosolProperties",
-        mesh.time().constant(),
-        mesh,
-        Foam::IOobject::MUST_READ,
-        Foam::IOobject::NO_WRITE
-    );
-}
-
 } // End anonymous namespace
 
 
@@ -52,6 +39,8 @@ Foam::IOobject propertiesIO(const Foam::fvMesh& mesh)
 
 Foam::aerosol::aerosolCloud::aerosolCloud
 (
+    const word& name,
+    const dictionary& dict,
     const fvMesh& mesh,
     acoustics::soundField& sound
 )
@@ -60,7 +49,7 @@ Foam::aerosol::aerosolCloud::aerosolCloud
     (
         IOobject
         (
-            "aerosol",
+            name,
             mesh.time().timeName(),
             "uniform",
             mesh.time(),
@@ -69,7 +58,7 @@ Foam::aerosol::aerosolCloud::aerosolCloud
         )
     ),
     mesh_(mesh),
-    dict_(propertiesIO(mesh)),
+    dict_(dict),
     sound_(sound),
     domain_(domain::New(dict_.subDict("domain"))),
     bricks_(*domain_),
@@ -86,10 +75,10 @@ Foam::aerosol::aerosolCloud::aerosolCloud
         timeStepping::New
         (
             dict_.subDict("timeStepping"),
-            {sound, *domain_, motion_, contacts_}
+            {sound_, *domain_, motion_, contacts_}
         )
     ),
-    files_(mesh),
+    files_(mesh, name),
     reportsContacts_
     (
         dict_.subOrEmptyDict("report").lookupOrDefault<Switch>
@@ -122,20 +111,21 @@ Foam::aerosol::aerosolCloud::aerosolCloud
         contacts_.keepRecords();
     }
 
-    checkInside();
-    sound_.prepare(domain_->bounds());
-
     isNew_ = !files_.found();
 
     if (isNew_)
     {
+        prepareTravel(dictionary());
         makeParticles();
         applyLaws(dictionary());
         checkRanges();
     }
     else
     {
-        applyLaws(readParticles());
+        const dictionary state = readParticles();
+
+        prepareTravel(state);
+        applyLaws(state);
         checkGrowth();
     }
 
@@ -150,25 +140,6 @@ Foam::aerosol::aerosolCloud::aerosolCloud
 }
 
 
-Foam::autoPtr<Foam::aerosol::aerosolCloud>
-Foam::aerosol::aerosolCloud::NewIfPresent
-(
-    const fvMesh& mesh,
-    acoustics::soundField& sound
-)
-{
-    if (propertiesIO(mesh).typeHeaderOk<IOdictionary>())
-    {
-        return autoPtr<aerosolCloud>::New(mesh, sound);
-    }
-
-    Info<< "No constant/aerosolProperties: sound without particles" << nl
-        << endl;
-
-    return nullptr;
-}
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::aerosol::aerosolCloud::requireKnownModels() const
@@ -176,7 +147,7 @@ void Foam::aerosol::aerosolCloud::requireKnownModels() const
     const wordList known
     ({
         "domain", "particles", "timeStepping", "drag", "gravity", "wake",
-        "Brownian", "contact", "aggregate", "report"
+        "Brownian", "contact", "aggregate", "report", "carried"
     });
 
     // Other entries are variables of the user
@@ -220,9 +191,11 @@ Foam::dictionary Foam::aerosol::aerosolCloud::readParticles()
     // A change of these would be ignored, or would move the particles
     const auto requireSame = [&](const word& name, const word& then)
     {
-        if (state.subDict(then).digest() != dict_.subDict(name).digest())
+        const dictionary now = dict_.subOrEmptyDict(name);
+
+        if (state.subOrEmptyDict(then).digest() != now.digest())
         {
-            FatalIOErrorInFunction(dict_.subDict(name))
+            FatalIOErrorInFunction(now)
                 << "The dictionary '" << name << "' has changed since the"
                 << " particles of time " << mesh_.time().timeName()
                 << " were made. To begin anew, remove all times, and"
@@ -234,6 +207,7 @@ Foam::dictionary Foam::aerosol::aerosolCloud::readParticles()
 
     requireSame("domain", "domainWas");
     requireSame("particles", "particlesWere");
+    requireSame("carried", "carriedWas");
 
     Info<< "Continuing with the " << particles_.size()
         << " particles of time " << mesh_.time().timeName() << nl;
@@ -253,7 +227,10 @@ void Foam::aerosol::aerosolCloud::makeParticles()
 
     if (source->followsGas())
     {
-        sound_.velocity(mesh_.time().value(), particles_.x, particles_.v);
+        const scalar now = mesh_.time().value();
+
+        sound_.velocity(now, particles_.x, particles_.v);
+        travel_->leave(particles_, now);
     }
 
     const aerosolStatistics initial(particles_);
@@ -277,7 +254,7 @@ void Foam::aerosol::aerosolCloud::requireNoneBefore() const
         if
         (
             time.value() < runTime.value() - 0.5*runTime.deltaTValue()
-         && isFile(runTime.path()/time.name()/"uniform"/"aerosolState")
+         && isFile(runTime.path()/time.name()/"uniform"/(name() + "State"))
         )
         {
             FatalErrorInFunction
@@ -291,10 +268,12 @@ void Foam::aerosol::aerosolCloud::requireNoneBefore() const
 }
 
 
-void Foam::aerosol::aerosolCloud::checkInside() const
+void Foam::aerosol::aerosolCloud::prepareTravel(const dictionary& state)
 {
     const boundBox& box = domain_->bounds();
     const boundBox chamber(mesh_.points(), true);
+    const scalar start =
+        state.lookupOrDefault<scalar>("began", mesh_.time().value());
 
     if (!chamber.contains(box))
     {
@@ -304,6 +283,21 @@ void Foam::aerosol::aerosolCloud::checkInside() const
             << chamber.min() << " to " << chamber.max() << " m"
             << exit(FatalIOError);
     }
+
+    travel_.reset
+    (
+        new travel(dict_.subOrEmptyDict("carried"), box, chamber, start)
+    );
+
+    if (travel_->active())
+    {
+        Info<< "Carried along; the domain leaves the mesh at "
+            << travel_->end() << " s, after " << travel_->end() - start
+            << " s" << nl;
+    }
+
+    sound_.prepare(travel_->path());
+    sound_.move(travel_->velocity(), start);
 }
 
 
@@ -537,13 +531,19 @@ void Foam::aerosol::aerosolCloud::checkGrowth()
 }
 
 
+bool Foam::aerosol::aerosolCloud::left(const scalar t) const
+{
+    return t > travel_->end() + 1e-6*mesh_.time().deltaTValue();
+}
+
+
 bool Foam::aerosol::aerosolCloud::lastStep() const
 {
     const Time& runTime = mesh_.time();
+    const scalar now = runTime.value();
+    const scalar h = runTime.deltaTValue();
 
-    return
-        runTime.value()
-      > runTime.endTime().value() - 0.5*runTime.deltaTValue();
+    return now > runTime.endTime().value() - 0.5*h || left(now + h);
 }
 
 
@@ -590,6 +590,8 @@ Foam::dictionary Foam::aerosol::aerosolCloud::state() const
     dict.add("sizeBins", sizeBins_);
     dict.add("domainWas", dict_.subDict("domain"));
     dict.add("particlesWere", dict_.subDict("particles"));
+    dict.add("carriedWas", dict_.subOrEmptyDict("carried"));
+    dict.add("began", travel_->start());
 
     if (motion_.wakeModel().needsTolerance())
     {
@@ -612,7 +614,7 @@ void Foam::aerosol::aerosolCloud::begin()
 
     tables_.reset
     (
-        new agglomerationTables(mesh_, sizeBins_, reportsContacts_)
+        new agglomerationTables(mesh_, sizeBins_, reportsContacts_, name())
     );
     tabulate();
 }
@@ -620,16 +622,33 @@ void Foam::aerosol::aerosolCloud::begin()
 
 void Foam::aerosol::aerosolCloud::evolve()
 {
+    const scalar end = mesh_.time().value();
     const scalar h = mesh_.time().deltaTValue();
+
+    if (left(end))
+    {
+        return;
+    }
+
+    if (travel_->active())
+    {
+        travel_->enter(particles_, end - h);
+
+        // Rounding may have moved them across a border
+        domain_->confine(particles_);
+        bricks_.settle(particles_);
+    }
 
     timeStepping_->advance
     (
         particles_,
-        mesh_.time().value() - h,
+        end - h,
         h,
         mesh_.time().timeIndex()
     );
     bricks_.settle(particles_);
+
+    travel_->leave(particles_, end);
 
     if (mesh_.time().timeIndex() % sortInterval == 0)
     {
@@ -662,12 +681,17 @@ std::string Foam::aerosol::aerosolCloud::progress() const
 {
     std::ostringstream os;
 
-    const scalar left = bricks::sum(particles_.size());
+    const scalar n = bricks::sum(particles_.size());
 
-    os  << left << " of " << N0_
+    os  << n << " of " << N0_
         << " particles left, agglomeration efficiency "
-        << 100*(1 - left/N0_) << " %, "
+        << 100*(1 - n/N0_) << " %, "
         << contacts_.count() << " contacts";
+
+    if (left(mesh_.time().value()))
+    {
+        os  << "; left the mesh at " << travel_->end() << " s";
+    }
 
     return os.str();
 }
