@@ -7,6 +7,7 @@
 
 #include "addToRunTimeSelectionTable.H"
 #include "checkedEntry.H"
+#include "externalForce.H"
 #include "fvMesh.H"
 #include "mathematicalConstants.H"
 #include "numericsCheck.H"
@@ -252,6 +253,14 @@ Foam::label Foam::acoustics::compressibleSound::prepare(const boundBox& region)
 }
 
 
+bool Foam::acoustics::compressibleSound::feelsForces()
+{
+    force_.reset(new externalForce(mesh_));
+
+    return true;
+}
+
+
 void Foam::acoustics::compressibleSound::advance()
 {
     solveContinuity();
@@ -274,6 +283,11 @@ void Foam::acoustics::compressibleSound::advance()
     }
 
     rho_ = thermo_->rho();
+
+    if (force_)
+    {
+        force_->finish(U_);
+    }
 
     for (const auto& sampler : samplers_)
     {

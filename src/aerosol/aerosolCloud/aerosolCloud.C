@@ -147,7 +147,8 @@ void Foam::aerosol::aerosolCloud::requireKnownModels() const
     const wordList known
     ({
         "domain", "particles", "timeStepping", "drag", "gravity", "wake",
-        "Brownian", "contact", "aggregate", "report", "carried"
+        "Brownian", "contact", "aggregate", "report", "carried",
+        "coupling"
     });
 
     // Other entries are variables of the user
@@ -579,6 +580,15 @@ void Foam::aerosol::aerosolCloud::tabulate()
 }
 
 
+void Foam::aerosol::aerosolCloud::announce()
+{
+    acoustics::soundField::vectors u;
+    sound_.velocity(mesh_.time().value(), particles_.x, u);
+
+    coupling_->announce(particles_, motion_, u, mesh_.time().deltaTValue());
+}
+
+
 Foam::dictionary Foam::aerosol::aerosolCloud::state() const
 {
     dictionary dict;
@@ -603,6 +613,37 @@ Foam::dictionary Foam::aerosol::aerosolCloud::state() const
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::aerosol::aerosolCloud::couple(gasReaction& reaction)
+{
+    const dictionary& dict = dict_.subDict("coupling");
+
+    if (travel_->active())
+    {
+        FatalIOErrorInFunction(dict)
+            << "A domain that is carried along stands for no part of the"
+            << " chamber: coupling must be of type none"
+            << exit(FatalIOError);
+    }
+
+    coupling_.reset(new twoWayCoupling(dict, mesh_, *domain_, reaction));
+
+    const scalar mass = bricks::sum(particles_.m.sum());
+    const scalar gas = sound_.gas().rho*domain_->volume();
+
+    std::ostringstream os;
+    os  << name() << " acts on "
+        << 100*coupling_->volume()/gSum(mesh_.V().field())
+        << " % of the gas, with " << mass/gas << " times the mass of that";
+
+    Info<< os.str().c_str() << nl;
+
+    if (!reaction.continued())
+    {
+        announce();
+    }
+}
+
 
 void Foam::aerosol::aerosolCloud::begin()
 {
@@ -639,6 +680,11 @@ void Foam::aerosol::aerosolCloud::evolve()
         bricks_.settle(particles_);
     }
 
+    if (coupling_)
+    {
+        coupling_->before(particles_, h);
+    }
+
     timeStepping_->advance
     (
         particles_,
@@ -646,6 +692,13 @@ void Foam::aerosol::aerosolCloud::evolve()
         h,
         mesh_.time().timeIndex()
     );
+
+    if (coupling_)
+    {
+        coupling_->after(particles_);
+        announce();
+    }
+
     bricks_.settle(particles_);
 
     travel_->leave(particles_, end);

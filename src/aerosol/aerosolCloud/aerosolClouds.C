@@ -30,9 +30,7 @@ std::string Foam::aerosol::aerosolClouds::each
 }
 
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::aerosol::aerosolClouds::aerosolClouds
+void Foam::aerosol::aerosolClouds::makeClouds
 (
     const fvMesh& mesh,
     acoustics::soundField& sound
@@ -93,6 +91,31 @@ Foam::aerosol::aerosolClouds::aerosolClouds
 }
 
 
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::aerosol::aerosolClouds::aerosolClouds
+(
+    const fvMesh& mesh,
+    acoustics::soundField& sound
+)
+{
+    makeClouds(mesh, sound);
+
+    for (aerosolCloud& cloud : clouds_)
+    {
+        if (cloud.coupled())
+        {
+            if (!reaction_)
+            {
+                reaction_.reset(new gasReaction(mesh, sound));
+            }
+
+            cloud.couple(*reaction_);
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::aerosol::aerosolClouds::replace
@@ -130,6 +153,11 @@ void Foam::aerosol::aerosolClouds::begin()
 
 void Foam::aerosol::aerosolClouds::evolve()
 {
+    if (reaction_)
+    {
+        reaction_->settle();
+    }
+
     for (aerosolCloud& cloud : clouds_)
     {
         cloud.evolve();

@@ -1,0 +1,194 @@
+/*---------------------------------------------------------------------------*\
+    acousticDEM: acoustic agglomeration of aerosols
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "twoWayCoupling.H"
+
+#include "checkedEntry.H"
+#include "domain.H"
+#include "fvMesh.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+Eigen::Array<bool, 3, 1> readWhole(const Foam::dictionary& dict)
+{
+    using namespace Foam;
+
+    requireOnly(dict, {"type", "represents"});
+
+    const vector given = dict.get<vector>("represents");
+    Eigen::Array<bool, 3, 1> whole;
+
+    for (direction k = 0; k < vector::nComponents; ++k)
+    {
+        if (given[k] != 0 && given[k] != 1)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry 'represents' of " << dict.name() << " is " << given
+                << ", but of each direction it must say 1, the box stands for"
+                << " the whole mesh, or 0, for its own extent"
+                << exit(FatalIOError);
+        }
+
+        whole(k) = given[k] == 1;
+    }
+
+    return whole;
+}
+
+
+Foam::aerosol::vectors drift(const Foam::aerosol::particleArrays& p)
+{
+    return p.v - p.thermal;
+}
+
+
+Foam::aerosol::vectors times
+(
+    const Foam::aerosol::scalars& m,
+    const Foam::aerosol::vectors& v
+)
+{
+    return v.array().rowwise()*m.transpose();
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::aerosol::twoWayCoupling::add
+(
+    const vectors& x,
+    const Eigen::MatrixXd& amounts
+)
+{
+    Eigen::MatrixXd densities = Eigen::MatrixXd::Zero(4, nCells_);
+
+    cells_.add(x, amounts, densities);
+    reaction_.add(densities);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::aerosol::twoWayCoupling::twoWayCoupling
+(
+    const dictionary& dict,
+    const fvMesh& mesh,
+    const domain& region,
+    gasReaction& reaction
+)
+:
+    nCells_(mesh.nCells()),
+    cells_(mesh, region.bounds(), readWhole(dict)),
+    reaction_(reaction)
+{}
+
+
+bool Foam::aerosol::twoWayCoupling::wanted(const dictionary& dict)
+{
+    if (dict.empty())
+    {
+        return false;
+    }
+
+    const word type = dict.get<word>("type");
+
+    if (type != "none" && type != "twoWay")
+    {
+        FatalIOErrorInFunction(dict)
+            << "Unknown coupling type " << type << "; valid ones are none and"
+            << " twoWay"
+            << exit(FatalIOError);
+    }
+
+    return type == "twoWay";
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::aerosol::twoWayCoupling::before
+(
+    const particleArrays& p,
+    const scalar h
+)
+{
+    id_ = p.id;
+    x_ = p.x;
+    momentum_ = times(p.m, drift(p) + h*p.acceleration);
+}
+
+
+void Foam::aerosol::twoWayCoupling::after(const particleArrays& p)
+{
+    const vectors now = times(p.m, drift(p));
+
+    vectors x = x_;
+    Eigen::MatrixXd impulse = Eigen::MatrixXd::Zero(4, id_.size());
+
+    // On the gas: the opposite
+    impulse.topRows(3) = momentum_;
+
+    int k = 0;
+
+    for (int i = 0; i < int(id_.size()); ++i)
+    {
+        if (k < p.size() && p.id(k) == id_(i))
+        {
+            x.col(i) = p.x.col(k);
+            impulse.col(i).head(3) -= now.col(k);
+            ++k;
+        }
+    }
+
+    if (k < p.size())
+    {
+        FatalErrorInFunction
+            << "The particles have changed their order within a step"
+            << abort(FatalError);
+    }
+
+    add(x, impulse);
+}
+
+
+void Foam::aerosol::twoWayCoupling::announce
+(
+    const particleArrays& p,
+    const equationOfMotion& motion,
+    const vectors& u,
+    const scalar h
+)
+{
+    particleArrays smooth(p);
+    smooth.v = drift(p);
+
+    equationOfMotion::gasStep gas;
+    gas.u0 = u;
+    gas.u1 = u;
+
+    equationOfMotion::state end;
+    motion.move(h, smooth, gas, equationOfMotion::gasStep(), false, end);
+
+    Eigen::MatrixXd amounts(4, p.size());
+
+    amounts.topRows(3) = times(p.m, smooth.v + h*p.acceleration - end.v);
+
+    for (int i = 0; i < p.size(); ++i)
+    {
+        const double z = std::max(p.rate(i)*h, 1e-9);
+
+        amounts(3, i) = p.m(i)*(1 + std::expm1(-z)/z);
+    }
+
+    add(p.x, amounts);
+}
+
+
+// ************************************************************************* //
