@@ -473,7 +473,11 @@ void Foam::aerosol::aerosolCloud::checkSound() const
             << " strategies other than eventDriven" << endl;
     }
 
-    if (shortest < displacement || shortest < 4*layer)
+    if
+    (
+        (contacts_.active() || motion_.hasWakes())
+     && (shortest < displacement || shortest < 4*layer)
+    )
     {
         WarningInFunction
             << "The domain is shorter than the relative displacement, "

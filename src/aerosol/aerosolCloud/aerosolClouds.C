@@ -155,12 +155,17 @@ void Foam::aerosol::aerosolClouds::evolve()
 {
     if (reaction_)
     {
-        reaction_->settle();
+        reaction_->begin();
     }
 
     for (aerosolCloud& cloud : clouds_)
     {
         cloud.evolve();
+    }
+
+    if (reaction_)
+    {
+        reaction_->end();
     }
 }
 

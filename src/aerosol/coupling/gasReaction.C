@@ -48,6 +48,12 @@ Foam::aerosol::gasReaction::gasReaction
         mesh,
         dimensionedScalar(dimDensity, Zero)
     ),
+    debt_
+    (
+        stored("aerosolDebt", mesh),
+        mesh,
+        dimensionedVector(dimDensity*dimVelocity, Zero)
+    ),
     continued_(force_.headerOk())
 {
     if (!sound.feelsForces())
@@ -64,14 +70,36 @@ Foam::aerosol::gasReaction::gasReaction
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::aerosol::gasReaction::settle()
+void Foam::aerosol::gasReaction::begin()
 {
-    force_.primitiveFieldRef() *= -1;
+    debt_.primitiveFieldRef() -=
+        debt_.time().deltaTValue()*force_.primitiveField();
+
+    force_.primitiveFieldRef() = Zero;
     inertia_.primitiveFieldRef() = Zero;
 }
 
 
-void Foam::aerosol::gasReaction::add(const Eigen::MatrixXd& densities)
+void Foam::aerosol::gasReaction::settle(const Eigen::MatrixXd& impulse)
+{
+    vectorField& debt = debt_.primitiveFieldRef();
+
+    forAll(debt, celli)
+    {
+        debt[celli] += vector
+        (
+            impulse(0, celli),
+            impulse(1, celli),
+            impulse(2, celli)
+        );
+    }
+}
+
+
+void Foam::aerosol::gasReaction::announce
+(
+    const Eigen::MatrixXd& impulseAndInertia
+)
 {
     vectorField& force = force_.primitiveFieldRef();
     scalarField& inertia = inertia_.primitiveFieldRef();
@@ -79,13 +107,22 @@ void Foam::aerosol::gasReaction::add(const Eigen::MatrixXd& densities)
 
     forAll(force, celli)
     {
-        for (direction k = 0; k < vector::nComponents; ++k)
-        {
-            force[celli][k] += densities(k, celli)/h;
-        }
+        const auto amounts = impulseAndInertia.col(celli);
 
-        inertia[celli] += densities(3, celli);
+        force[celli] += vector(amounts(0), amounts(1), amounts(2))/h;
+        inertia[celli] += amounts(3);
     }
+}
+
+
+void Foam::aerosol::gasReaction::end()
+{
+    force_.primitiveFieldRef() +=
+        debt_.primitiveField()/debt_.time().deltaTValue();
+
+    // For faces between ranks
+    force_.correctBoundaryConditions();
+    inertia_.correctBoundaryConditions();
 }
 
 

@@ -61,16 +61,18 @@ Foam::aerosol::vectors times
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::aerosol::twoWayCoupling::add
+Eigen::MatrixXd Foam::aerosol::twoWayCoupling::inCells
 (
     const vectors& x,
     const Eigen::MatrixXd& amounts
-)
+) const
 {
-    Eigen::MatrixXd densities = Eigen::MatrixXd::Zero(4, nCells_);
+    Eigen::MatrixXd densities =
+        Eigen::MatrixXd::Zero(amounts.rows(), nCells_);
 
     cells_.add(x, amounts, densities);
-    reaction_.add(densities);
+
+    return densities;
 }
 
 
@@ -127,13 +129,11 @@ void Foam::aerosol::twoWayCoupling::before
 
 void Foam::aerosol::twoWayCoupling::after(const particleArrays& p)
 {
+    // On the gas: what they had and do not have any more
     const vectors now = times(p.m, drift(p));
 
     vectors x = x_;
-    Eigen::MatrixXd impulse = Eigen::MatrixXd::Zero(4, id_.size());
-
-    // On the gas: the opposite
-    impulse.topRows(3) = momentum_;
+    vectors impulse = momentum_;
 
     int k = 0;
 
@@ -142,7 +142,7 @@ void Foam::aerosol::twoWayCoupling::after(const particleArrays& p)
         if (k < p.size() && p.id(k) == id_(i))
         {
             x.col(i) = p.x.col(k);
-            impulse.col(i).head(3) -= now.col(k);
+            impulse.col(i) -= now.col(k);
             ++k;
         }
     }
@@ -154,7 +154,7 @@ void Foam::aerosol::twoWayCoupling::after(const particleArrays& p)
             << abort(FatalError);
     }
 
-    add(x, impulse);
+    reaction_.settle(inCells(x, impulse));
 }
 
 
@@ -187,7 +187,7 @@ void Foam::aerosol::twoWayCoupling::announce
         amounts(3, i) = p.m(i)*(1 + std::expm1(-z)/z);
     }
 
-    add(p.x, amounts);
+    reaction_.announce(inCells(p.x, amounts));
 }
 
 
