@@ -1,7 +1,7 @@
 """Attenuation and dispersion of sound in an aerosol, against theory.
 
-Reads the pressure at the wall of each run, s*/ for one omega tau each and clean/
-without an effect of the particles; writes aerosolAttenuation.png.
+Reads the pressure at the wall of each run, s*/ for one omega tau each, and clean/
+in which the particles do nothing to the gas; writes aerosolAttenuation.png.
 
 Particles of the relaxation time tau and of the mass m per mass of gas follow
 the gas by Stokes' drag, and the gas feels that (Temkin and Dobbins 1966, the

@@ -35,7 +35,7 @@ def run(directory, s, m, steps=200, periods=10, cells=25, drag="Stokes"):
     case.entry("system/tube", "massLoading", m or 0.1)
     case.entry("system/tube", "count", N)
     if not m:
-        case.replace("constant/aerosolProperties", "twoWay", "none")
+        case.entry("system/tube", "coupling", "none")
     d = np.sqrt(18*1.81e-5*s/(2*np.pi*1400*2300))
     case.particles(
         [(((i + 0.5)/N*LENGTH, 5e-3, 5e-3), d) for i in range(N)],

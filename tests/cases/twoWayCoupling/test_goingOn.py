@@ -80,7 +80,7 @@ simpleCoeffs { n (3 1 1); delta 0.001; }
 def test_refuses(tmp_path, change, message):
     case = AerosolCase(tmp_path/"case", ROOT/"tutorials/aerosolAttenuation")
     case.run("blockMesh")
-    old = {"represents": r"represents +[^;]*", "type": "type +twoWay"}
+    old = {"represents": r"represents +[^;]*", "type": r"type +\$coupling"}
     case.replace(
         "constant/aerosolProperties", old[change[0]], " ".join(change)
     )
