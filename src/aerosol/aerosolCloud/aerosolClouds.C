@@ -46,7 +46,7 @@ void Foam::aerosol::aerosolClouds::makeClouds
         false
     );
 
-    if (!io.typeHeaderOk<IOdictionary>())
+    if (typeFilePath<IOdictionary>(io).empty())
     {
         Info<< "No constant/aerosolProperties: sound without particles" << nl
             << endl;

@@ -5,6 +5,7 @@ import re
 import numpy as np
 import pytest
 from aerosolcase import AerosolCase
+from foamcase import ROOT
 
 STEP = 2**-17  # s, exact in the name of a time
 
@@ -198,3 +199,71 @@ def test_refuses(box, entries, message):
         + f"\nclouds\n{{\n{entries}\n}}\n",
     )
     assert message in box.run("acousticDEMFoam", status=1)
+
+
+SOLVED = """FoamFile
+{
+    version 2.0; format ascii; class dictionary; object aerosolProperties;
+}
+domain { type periodicBox; centre (0.0613 5e-3 5e-3); length 1e-3; }
+particles
+{
+    density 2300; source distribution; count 20;
+    size { type lognormal; median 4e-6; GSD 1.5; min 1e-6; max 10e-6; }
+}
+timeStepping { type eventDriven; }
+drag { type Stokes; slipCorrection none; }
+gravity { type none; }
+wake { type none; }
+contact { type none; }
+aggregate { type none; }
+"""
+
+PLACES = {
+    "antinode": "",
+    "aside": "domain { centre (0.03 5e-3 5e-3); }",
+    "moving": "domain { centre (0.02 5e-3 5e-3); } carried { velocity (20 0 0); }",
+}
+
+
+def test_each_has_its_own_region_of_solved_sound(tmp_path):
+    """Three boxes in a tube that is solved, one of them on its way."""
+
+    def run(name, more):
+        case = AerosolCase(tmp_path/name, ROOT/"tutorials/standingWaveTube")
+        case.write("constant/aerosolProperties", SOLVED + more)
+        case.replace("system/controlDict", "10.0/", "1.0/")
+        case.control("writeFormat", "binary")
+        case.run("blockMesh")
+        case.run("setExprFields")
+        case.run("acousticDEMFoam")
+        return case
+
+    def clouds(entries):
+        return "clouds\n{\n" + "\n".join(
+            f"{name} {{ {text} }}" for name, text in entries.items()
+        ) + "\n}\n"
+
+    together = run("together", clouds(PLACES))
+    time = together.times()[-1]
+    for name, text in PLACES.items():
+        alone = run(name, clouds({name: text}))
+        a, b = alone.cloud(time, name), together.cloud(time, name)
+        for field, values in a.items():
+            assert np.array_equal(values, b[field]), (name, field)
+
+    # The gas that each has felt: sin(k x) of the fundamental
+    speed = {
+        name: np.abs(together.cloud(time, name)["U"][:, 0]).mean()
+        for name in ("antinode", "aside")
+    }
+    ratio = speed["aside"]/speed["antinode"]
+    assert ratio == pytest.approx(np.sin(np.pi*0.03/0.1226), rel=0.01)
+
+
+def test_a_file_without_header_is_not_passed_over(box):
+    text = (box.path/"constant/aerosolProperties").read_text()
+    box.write("constant/aerosolProperties", text[text.index("domain"):])
+    assert "problem while reading header" in box.run(
+        "acousticDEMFoam", status=1
+    )
