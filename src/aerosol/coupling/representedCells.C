@@ -160,20 +160,28 @@ void Foam::aerosol::representedCells::add
     scalarField sums(rows*n_.prod(), Zero);
     Eigen::Map<Eigen::MatrixXd> bins(sums.data(), rows, n_.prod());
 
+    // Copies, which the compiler knows to stay as they are
+    const Eigen::Array3i n = n_;
+    const Eigen::Array3d perPeriod = 1/(size_*n_.cast<double>());
+    const Eigen::Array3d low(box_.min().x(), box_.min().y(), box_.min().z());
+
     for (Eigen::Index i = 0; i < x.cols(); ++i)
     {
         int bin = 0;
 
         for (int k = 2; k >= 0; --k)
         {
-            const double place = (x(k, i) - box_.min()[k])/size_(k);
-            const int b = int(std::floor(std::clamp(place, -1e6, 1e6)));
-
             // Who has just left is back on the other side
-            bin = bin*n_(k) + (b % n_(k) + n_(k)) % n_(k);
+            const double place = (x(k, i) - low[k])*perPeriod[k];
+            const double inside = place - std::floor(place);
+
+            bin = bin*n[k] + std::min(int(inside*n[k]), n[k] - 1);
         }
 
-        bins.col(bin) += amounts.col(i);
+        for (Eigen::Index row = 0; row < rows; ++row)
+        {
+            bins(row, bin) += amounts(row, i);
+        }
     }
 
     Pstream::listCombineGather(sums, plusEqOp<scalar>());

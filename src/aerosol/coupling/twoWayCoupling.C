@@ -166,19 +166,27 @@ void Foam::aerosol::twoWayCoupling::announce
     const scalar h
 )
 {
-    particleArrays smooth(p);
-    smooth.v = drift(p);
+    // The drift is what counts
+    if (motion.hasBrownian() && !p.thermal.isZero(0))
+    {
+        particleArrays smooth(p);
+        smooth.v = drift(p);
+        smooth.thermal.setZero();
+
+        announce(smooth, motion, u, h);
+        return;
+    }
 
     equationOfMotion::gasStep gas;
     gas.u0 = u;
     gas.u1 = u;
 
     equationOfMotion::state end;
-    motion.move(h, smooth, gas, equationOfMotion::gasStep(), false, end);
+    motion.move(h, p, gas, equationOfMotion::gasStep(), false, end);
 
     Eigen::MatrixXd amounts(4, p.size());
 
-    amounts.topRows(3) = times(p.m, smooth.v + h*p.acceleration - end.v);
+    amounts.topRows(3) = times(p.m, p.v + h*p.acceleration - end.v);
 
     for (int i = 0; i < p.size(); ++i)
     {
