@@ -1,6 +1,7 @@
 """Draws the particles of a case with ParaView; see renderCloud.
 
-To be run by pvbatch, with the case directory as its argument.
+To be run by pvbatch, with the case directory and the name of the cloud as its
+arguments.
 """
 
 import os
@@ -15,7 +16,7 @@ from paraview.simple import (
 
 ENLARGED = 4.0  # spheres are drawn larger than they are, to be seen at all
 
-case = sys.argv[1]
+case, cloud = sys.argv[1:3]
 marker = os.path.join(case, "case.foam")
 created = not os.path.exists(marker)
 open(marker, "a").close()
@@ -26,7 +27,7 @@ def open_case():
     reader = OpenFOAMReader(FileName=marker)
     reader.SkipZeroTime = 0
     reader.Refresh()
-    reader.MeshRegions = ["lagrangian/aerosol"]
+    reader.MeshRegions = [f"lagrangian/{cloud}"]
     reader.CellArrays = []
     reader.LagrangianArrays = ["d"]
     reader.UpdatePipelineInformation()

@@ -59,10 +59,10 @@ class AerosolCase(FoamCase):
             key=float,
         )
 
-    def table(self, name="agglomeration"):
+    def table(self, name="agglomeration", cloud="aerosol"):
         """Columns by name, without units, of all runs in their order."""
         rows = []
-        runs = (self.path/"postProcessing"/"aerosol").iterdir()
+        runs = (self.path/"postProcessing"/cloud).iterdir()
         for run in sorted(runs, key=lambda path: float(path.name)):
             for line in (run/f"{name}.dat").read_text().splitlines():
                 if line.startswith("#"):
@@ -72,9 +72,9 @@ class AerosolCase(FoamCase):
         names = [re.sub(r"\[.*", "", column) for column in header]
         return dict(zip(names, np.array(rows).T))
 
-    def cloud(self, time):
+    def cloud(self, time, cloud="aerosol"):
         """The particles of a time, by name of the quantity, in order of ids."""
-        folder = self.path/time/"lagrangian"/"aerosol"
+        folder = self.path/time/"lagrangian"/cloud
         fields = {
             name: read_field(folder/name)
             for name in ("id", "primaries", "d", "mass", "position", "U")

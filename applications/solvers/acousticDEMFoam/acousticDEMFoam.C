@@ -18,7 +18,7 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
-#include "aerosolCloud.H"
+#include "aerosolClouds.H"
 #include "argList.H"
 #include "columnFvMesh.H"
 #include "functionObjectList.H"
@@ -50,10 +50,7 @@ int main(int argc, char *argv[])
     #include "createMesh.H"
     #include "createFields.H"
 
-    if (cloud)
-    {
-        cloud->begin();
-    }
+    clouds.begin();
 
     Info<< "\nStarting time loop\n" << endl;
 
@@ -62,26 +59,17 @@ int main(int argc, char *argv[])
         ++runTime;
 
         sound->advance();
-
-        if (cloud)
-        {
-            cloud->evolve();
-        }
+        clouds.evolve();
 
         runTime.write();
 
         if (progress.due())
         {
-            progress.print(cloud ? cloud->progress() : std::string());
+            progress.print(clouds.progress());
         }
     }
 
-    if (cloud)
-    {
-        Info<< cloud->effort().c_str() << nl << endl;
-    }
-
-    Info<< "End\n" << endl;
+    Info<< clouds.effort().c_str() << nl << "\nEnd\n" << endl;
 
     return 0;
 }

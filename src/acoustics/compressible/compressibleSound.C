@@ -7,10 +7,12 @@
 
 #include "addToRunTimeSelectionTable.H"
 #include "checkedEntry.H"
+#include "externalForce.H"
 #include "fvMesh.H"
 #include "mathematicalConstants.H"
 #include "numericsCheck.H"
 #include "regionSampler.H"
+#include "simplifiedFvMesh.H"
 #include "soundLevel.H"
 #include "surfaceInterpolate.H"
 #include "thermodynamicConstants.H"
@@ -222,13 +224,15 @@ Foam::scalar Foam::acoustics::compressibleSound::velocityAmplitude() const
 }
 
 
-void Foam::acoustics::compressibleSound::prepare(const boundBox& region)
+Foam::label Foam::acoustics::compressibleSound::prepare(const boundBox& region)
 {
-    sampler_.reset(new regionSampler(mesh_, region));
-    sampler_->reset(U_.oldTime(), U_);
+    samplers_.push_back(std::make_unique<regionSampler>(mesh_, region));
 
-    const Eigen::Array3d& spacing = sampler_->lattice().spacing();
-    const scalar error = sampler_->interpolationError
+    regionSampler& sampler = *samplers_.back();
+    sampler.reset(U_.oldTime(), U_);
+
+    const Eigen::Array3d& spacing = sampler.lattice().spacing();
+    const scalar error = sampler.interpolationError
     (
         constant::mathematical::twoPi*frequency()/gas_.c
     );
@@ -237,7 +241,8 @@ void Foam::acoustics::compressibleSound::prepare(const boundBox& region)
         << ' ' << spacing[2] << ") m apart: up to " << 100*error
         << " % of the amplitude are lost between them" << endl;
 
-    if (error > 1e-3)
+    // The mesh of a -dry-run is coarse
+    if (error > 1e-3 && !isA<simplifiedFvMesh>(mesh_))
     {
         WarningInFunction
             << "The region in which the gas velocity is needed is so large, or"
@@ -245,6 +250,16 @@ void Foam::acoustics::compressibleSound::prepare(const boundBox& region)
             << " well: " << 100*error << " % of the velocity amplitude are"
             << " lost between them" << endl;
     }
+
+    return samplers_.size() - 1;
+}
+
+
+bool Foam::acoustics::compressibleSound::feelsForces()
+{
+    force_.reset(new externalForce(mesh_));
+
+    return true;
 }
 
 
@@ -271,9 +286,14 @@ void Foam::acoustics::compressibleSound::advance()
 
     rho_ = thermo_->rho();
 
-    if (sampler_)
+    if (force_)
     {
-        sampler_->advance(U_);
+        force_->finish(U_);
+    }
+
+    for (const auto& sampler : samplers_)
+    {
+        sampler->advance(U_);
     }
 }
 
@@ -285,7 +305,19 @@ void Foam::acoustics::compressibleSound::velocity
     vectors& u
 ) const
 {
-    if (!sampler_)
+    velocityIn(0, t, x, u);
+}
+
+
+void Foam::acoustics::compressibleSound::velocityIn
+(
+    const label region,
+    const scalar t,
+    const vectors& x,
+    vectors& u
+) const
+{
+    if (region >= label(samplers_.size()))
     {
         FatalErrorInFunction
             << "The gas velocity is asked for before a region was announced"
@@ -297,7 +329,7 @@ void Foam::acoustics::compressibleSound::velocity
     const scalar step = mesh_.time().deltaTValue();
     const scalar fraction = 1 + (t - end)/step;
 
-    sampler_->velocity(std::clamp(fraction, 0.0, 1.0), x, u);
+    samplers_[region]->velocity(std::clamp(fraction, 0.0, 1.0), x, u);
 }
 
 

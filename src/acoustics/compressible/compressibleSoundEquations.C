@@ -7,6 +7,7 @@
 
 #include "constrainHbyA.H"
 #include "constrainPressure.H"
+#include "externalForce.H"
 #include "fvcDdt.H"
 #include "fvcDiv.H"
 #include "fvcFlux.H"
@@ -15,6 +16,7 @@
 #include "fvmDdt.H"
 #include "fvmDiv.H"
 #include "fvmLaplacian.H"
+#include "fvmSup.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -66,6 +68,11 @@ Foam::acoustics::compressibleSound::solveMomentum()
     );
     fvVectorMatrix& UEqn = tUEqn.ref();
 
+    if (force_)
+    {
+        UEqn -= force_->force(U_);
+    }
+
     UEqn.relax();
 
     fvOptions_.constrain(UEqn);
@@ -96,6 +103,11 @@ void Foam::acoustics::compressibleSound::solveEnergy()
         fvOptions_(rho_, e_)
     );
 
+    if (force_)
+    {
+        EEqn -= fvm::Su(force_->power(U_), e_);
+    }
+
     EEqn.relax();
 
     fvOptions_.constrain(EEqn);
@@ -121,9 +133,17 @@ void Foam::acoustics::compressibleSound::correctPressure
 
     // Volume flux without the pressure gradient
     const surfaceScalarField rhof(fvc::interpolate(rho_));
+    surfaceScalarField ddtCorr(fvc::ddtCorr(rho_, U_, phi_));
+
+    // What follows the gas has its old velocity, too
+    if (force_)
+    {
+        ddtCorr *= 1 + fvc::interpolate(force_->inertia())/rhof;
+    }
+
     const surfaceScalarField phivHbyA
     (
-        fvc::flux(HbyA) + rhorAUf*fvc::ddtCorr(rho_, U_, phi_)/rhof
+        fvc::flux(HbyA) + rhorAUf*ddtCorr/rhof
     );
     const surfaceScalarField phid("phid", fvc::interpolate(psi_)*phivHbyA);
 

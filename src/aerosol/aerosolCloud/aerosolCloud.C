@@ -24,30 +24,12 @@ namespace aerosol
 }
 
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-Foam::IOobject propertiesIO(const Foam::fvMesh& mesh)
-{
-    return Foam::IOobject
-    (
-        "aerosolProperties",
-        mesh.time().constant(),
-        mesh,
-        Foam::IOobject::MUST_READ,
-        Foam::IOobject::NO_WRITE
-    );
-}
-
-} // End anonymous namespace
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::aerosol::aerosolCloud::aerosolCloud
 (
+    const word& name,
+    const dictionary& dict,
     const fvMesh& mesh,
     acoustics::soundField& sound
 )
@@ -56,7 +38,7 @@ Foam::aerosol::aerosolCloud::aerosolCloud
     (
         IOobject
         (
-            "aerosol",
+            name,
             mesh.time().timeName(),
             "uniform",
             mesh.time(),
@@ -65,7 +47,7 @@ Foam::aerosol::aerosolCloud::aerosolCloud
         )
     ),
     mesh_(mesh),
-    dict_(propertiesIO(mesh)),
+    dict_(dict),
     sound_(sound),
     domain_(domain::New(dict_.subDict("domain"))),
     bricks_(*domain_),
@@ -82,10 +64,10 @@ Foam::aerosol::aerosolCloud::aerosolCloud
         timeStepping::New
         (
             dict_.subDict("timeStepping"),
-            {sound, *domain_, motion_, contacts_}
+            {sound_, *domain_, motion_, contacts_}
         )
     ),
-    files_(mesh),
+    files_(mesh, name),
     reportsContacts_
     (
         dict_.subOrEmptyDict("report").lookupOrDefault<Switch>
@@ -118,20 +100,21 @@ Foam::aerosol::aerosolCloud::aerosolCloud
         contacts_.keepRecords();
     }
 
-    checkInside();
-    sound_.prepare(domain_->bounds());
-
     isNew_ = !files_.found();
 
     if (isNew_)
     {
+        prepareTravel(dictionary());
         makeParticles();
         applyLaws(dictionary());
         checkRanges();
     }
     else
     {
-        applyLaws(readParticles());
+        const dictionary state = readParticles();
+
+        prepareTravel(state);
+        applyLaws(state);
         checkGrowth();
     }
 
@@ -146,25 +129,6 @@ Foam::aerosol::aerosolCloud::aerosolCloud
 }
 
 
-Foam::autoPtr<Foam::aerosol::aerosolCloud>
-Foam::aerosol::aerosolCloud::NewIfPresent
-(
-    const fvMesh& mesh,
-    acoustics::soundField& sound
-)
-{
-    if (propertiesIO(mesh).typeHeaderOk<IOdictionary>())
-    {
-        return autoPtr<aerosolCloud>::New(mesh, sound);
-    }
-
-    Info<< "No constant/aerosolProperties: sound without particles" << nl
-        << endl;
-
-    return nullptr;
-}
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::aerosol::aerosolCloud::requireKnownModels() const
@@ -172,7 +136,8 @@ void Foam::aerosol::aerosolCloud::requireKnownModels() const
     const wordList known
     ({
         "domain", "particles", "timeStepping", "drag", "gravity", "wake",
-        "Brownian", "contact", "aggregate", "report"
+        "Brownian", "contact", "aggregate", "report", "carried",
+        "coupling"
     });
 
     // Other entries are variables of the user
@@ -216,9 +181,11 @@ Foam::dictionary Foam::aerosol::aerosolCloud::readParticles()
     // A change of these would be ignored, or would move the particles
     const auto requireSame = [&](const word& name, const word& then)
     {
-        if (state.subDict(then).digest() != dict_.subDict(name).digest())
+        const dictionary now = dict_.subOrEmptyDict(name);
+
+        if (state.subOrEmptyDict(then).digest() != now.digest())
         {
-            FatalIOErrorInFunction(dict_.subDict(name))
+            FatalIOErrorInFunction(now)
                 << "The dictionary '" << name << "' has changed since the"
                 << " particles of time " << mesh_.time().timeName()
                 << " were made. To begin anew, remove all times, and"
@@ -230,6 +197,7 @@ Foam::dictionary Foam::aerosol::aerosolCloud::readParticles()
 
     requireSame("domain", "domainWas");
     requireSame("particles", "particlesWere");
+    requireSame("carried", "carriedWas");
 
     Info<< "Continuing with the " << particles_.size()
         << " particles of time " << mesh_.time().timeName() << nl;
@@ -249,7 +217,10 @@ void Foam::aerosol::aerosolCloud::makeParticles()
 
     if (source->followsGas())
     {
-        sound_.velocity(mesh_.time().value(), particles_.x, particles_.v);
+        const scalar now = mesh_.time().value();
+
+        sound_.velocity(now, particles_.x, particles_.v);
+        travel_->leave(particles_, now);
     }
 
     const aerosolStatistics initial(particles_);
@@ -273,7 +244,7 @@ void Foam::aerosol::aerosolCloud::requireNoneBefore() const
         if
         (
             time.value() < runTime.value() - 0.5*runTime.deltaTValue()
-         && isFile(runTime.path()/time.name()/"uniform"/"aerosolState")
+         && isFile(runTime.path()/time.name()/"uniform"/(name() + "State"))
         )
         {
             FatalErrorInFunction
@@ -287,10 +258,12 @@ void Foam::aerosol::aerosolCloud::requireNoneBefore() const
 }
 
 
-void Foam::aerosol::aerosolCloud::checkInside() const
+void Foam::aerosol::aerosolCloud::prepareTravel(const dictionary& state)
 {
     const boundBox& box = domain_->bounds();
     const boundBox chamber(mesh_.points(), true);
+    const scalar start =
+        state.lookupOrDefault<scalar>("began", mesh_.time().value());
 
     if (!chamber.contains(box))
     {
@@ -300,6 +273,21 @@ void Foam::aerosol::aerosolCloud::checkInside() const
             << chamber.min() << " to " << chamber.max() << " m"
             << exit(FatalIOError);
     }
+
+    travel_.reset
+    (
+        new travel(dict_.subOrEmptyDict("carried"), box, chamber, start)
+    );
+
+    if (travel_->active())
+    {
+        Info<< "Carried along; the domain leaves the mesh at "
+            << travel_->end() << " s, after " << travel_->end() - start
+            << " s" << nl;
+    }
+
+    sound_.prepare(travel_->path());
+    sound_.move(travel_->velocity(), start);
 }
 
 
@@ -474,7 +462,11 @@ void Foam::aerosol::aerosolCloud::checkSound() const
             << " strategies other than eventDriven" << endl;
     }
 
-    if (shortest < displacement || shortest < 4*layer)
+    if
+    (
+        (contacts_.active() || motion_.hasWakes())
+     && (shortest < displacement || shortest < 4*layer)
+    )
     {
         WarningInFunction
             << "The domain is shorter than the relative displacement, "
@@ -533,13 +525,19 @@ void Foam::aerosol::aerosolCloud::checkGrowth()
 }
 
 
+bool Foam::aerosol::aerosolCloud::left(const scalar t) const
+{
+    return t > travel_->end() + 1e-6*mesh_.time().deltaTValue();
+}
+
+
 bool Foam::aerosol::aerosolCloud::lastStep() const
 {
     const Time& runTime = mesh_.time();
+    const scalar now = runTime.value();
+    const scalar h = runTime.deltaTValue();
 
-    return
-        runTime.value()
-      > runTime.endTime().value() - 0.5*runTime.deltaTValue();
+    return now > runTime.endTime().value() - 0.5*h || left(now + h);
 }
 
 
@@ -575,6 +573,15 @@ void Foam::aerosol::aerosolCloud::tabulate()
 }
 
 
+void Foam::aerosol::aerosolCloud::announce()
+{
+    acoustics::soundField::vectors u;
+    sound_.velocity(mesh_.time().value(), particles_.x, u);
+
+    coupling_->announce(particles_, motion_, u, mesh_.time().deltaTValue());
+}
+
+
 Foam::dictionary Foam::aerosol::aerosolCloud::state() const
 {
     dictionary dict;
@@ -586,6 +593,8 @@ Foam::dictionary Foam::aerosol::aerosolCloud::state() const
     dict.add("sizeBins", sizeBins_);
     dict.add("domainWas", dict_.subDict("domain"));
     dict.add("particlesWere", dict_.subDict("particles"));
+    dict.add("carriedWas", dict_.subOrEmptyDict("carried"));
+    dict.add("began", travel_->start());
 
     if (motion_.wakeModel().needsTolerance())
     {
@@ -598,6 +607,37 @@ Foam::dictionary Foam::aerosol::aerosolCloud::state() const
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::aerosol::aerosolCloud::couple(gasReaction& reaction)
+{
+    const dictionary& dict = dict_.subDict("coupling");
+
+    if (travel_->active())
+    {
+        FatalIOErrorInFunction(dict)
+            << "A domain that is carried along stands for no part of the"
+            << " chamber: coupling must be of type none"
+            << exit(FatalIOError);
+    }
+
+    coupling_.reset(new twoWayCoupling(dict, mesh_, *domain_, reaction));
+
+    const scalar mass = bricks::sum(particles_.m.sum());
+    const scalar gas = sound_.gas().rho*domain_->volume();
+
+    std::ostringstream os;
+    os  << name() << " acts on "
+        << 100*coupling_->volume()/gSum(mesh_.V().field())
+        << " % of the gas, with " << mass/gas << " times the mass of that";
+
+    Info<< os.str().c_str() << nl;
+
+    if (!reaction.continued())
+    {
+        announce();
+    }
+}
+
+
 void Foam::aerosol::aerosolCloud::begin()
 {
     if (isNew_)
@@ -608,7 +648,7 @@ void Foam::aerosol::aerosolCloud::begin()
 
     tables_.reset
     (
-        new agglomerationTables(mesh_, sizeBins_, reportsContacts_)
+        new agglomerationTables(mesh_, sizeBins_, reportsContacts_, name())
     );
     tabulate();
 }
@@ -616,20 +656,50 @@ void Foam::aerosol::aerosolCloud::begin()
 
 void Foam::aerosol::aerosolCloud::evolve()
 {
+    const scalar end = mesh_.time().value();
     const scalar h = mesh_.time().deltaTValue();
+
+    if (left(end))
+    {
+        return;
+    }
+
+    // In the mesh, others have to know where everybody is
+    const bool settled = travel_->active() || coupling_;
+
+    travel_->enter(particles_, end - h);
+
+    if (settled)
+    {
+        timeStepping_->settle(particles_);
+    }
+
+    if (coupling_)
+    {
+        coupling_->before(particles_, h);
+    }
 
     timeStepping_->advance
     (
         particles_,
-        mesh_.time().value() - h,
+        end - h,
         h,
         mesh_.time().timeIndex()
     );
 
-    if (mesh_.time().writeTime())
+    if (coupling_)
+    {
+        domain_->confine(particles_.x);
+        coupling_->after(particles_);
+        announce();
+    }
+
+    if (settled || mesh_.time().writeTime())
     {
         timeStepping_->settle(particles_);
     }
+
+    travel_->leave(particles_, end);
 
     checkGrowth();
 
@@ -657,12 +727,17 @@ std::string Foam::aerosol::aerosolCloud::progress() const
 {
     std::ostringstream os;
 
-    const scalar left = bricks::sum(particles_.size());
+    const scalar n = bricks::sum(particles_.size());
 
-    os  << left << " of " << N0_
+    os  << n << " of " << N0_
         << " particles left, agglomeration efficiency "
-        << 100*(1 - left/N0_) << " %, "
+        << 100*(1 - n/N0_) << " %, "
         << contacts_.count() << " contacts";
+
+    if (left(mesh_.time().value()))
+    {
+        os  << "; left the mesh at " << travel_->end() << " s";
+    }
 
     return os.str();
 }
@@ -713,7 +788,15 @@ std::string Foam::aerosol::aerosolCloud::effort() const
 
 bool Foam::aerosol::aerosolCloud::writeObject(WRITE_OBJECT_ARGUMENTS) const
 {
-    files_.write(bricks::gather(particles_), state());
+    particleArrays all = bricks::gather(particles_);
+
+    // Between steps, some may be a little outside
+    if (!travel_->active())
+    {
+        domain_->confine(all.x);
+    }
+
+    files_.write(all, state());
 
     return true;
 }

@@ -158,10 +158,11 @@ Foam::aerosol::agglomerationTables::agglomerationTables
 (
     const objectRegistry& mesh,
     const dictionary& sizeBins,
-    const bool withContacts
+    const bool withContacts,
+    const word& cloudName
 )
 :
-    writeFile(mesh, "aerosol"),
+    writeFile(mesh, cloudName),
     edges_
     (
         aerosolStatistics::logarithmicBins

@@ -11,12 +11,16 @@ TUTORIALS = sorted(ROOT.glob("tutorials/*/Allrun"))
 
 # Long enough for something to plot: what is replaced in controlDict, in periods
 SHORTER = {
+    "aerosolAttenuation": {"20.0": "4.0"},
+    "antinodeAndNode": {"40.0": "1.0"},
     "flyAshChamber": {"100.0": "2.0", "59.999": "0.999", "60.001": "1.001"},
     "isolatedParticle": {"3.0": "2.0"},
     "standingWaveTube": {"10.0": "1.1"},
 }
 
 PICTURES = {
+    "aerosolAttenuation": {"aerosolAttenuation.png"},
+    "antinodeAndNode": {"antinodeAndNode.png"},
     "flyAshChamber": {"soundLevel.png", "agglomeration.png"},
     "isolatedParticle": {"isolatedParticle.png"},
     "standingWaveTube": {"standingWaveTube.png"},

@@ -18,6 +18,7 @@ Foam::acoustics::planeWave::planeWave(const dictionary& dict)
     direction_(toEigen(readDirection(dict, "direction", vector(1, 0, 0)))),
     origin_(readVector(dict, "origin", dimLength)),
     phase_(dict.found("phase") ? readFinite(dict, "phase", dimless) : 0),
+    mean_(readVector(dict, "velocity", dimVelocity)),
     omega_(constant::mathematical::twoPi*frequency()),
     k_(omega_/gas().c)
 {
@@ -25,7 +26,7 @@ Foam::acoustics::planeWave::planeWave(const dictionary& dict)
     (
         dict,
         {"type", "frequency", "SPL", "velocityAmplitude", "direction", "origin",
-         "phase", "gas"}
+         "phase", "velocity", "gas"}
     );
 
     Info<< "    " << level_ << nl
@@ -53,6 +54,18 @@ Eigen::ArrayXd Foam::acoustics::planeWave::kDistance(const vectors& x) const
     }
 
     return distance;
+}
+
+
+void Foam::acoustics::planeWave::add(const Eigen::ArrayXd& wave, vectors& u)
+const
+{
+    u = direction_*wave.matrix().transpose();
+
+    if (mean_ != Eigen::Vector3d::Zero())
+    {
+        u.colwise() += mean_;
+    }
 }
 
 

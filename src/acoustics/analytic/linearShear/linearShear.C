@@ -70,7 +70,7 @@ Foam::acoustics::linearShear::linearShear
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::acoustics::linearShear::prepare(const boundBox& region)
+Foam::label Foam::acoustics::linearShear::prepare(const boundBox& region)
 {
     // The speed is convex: it is largest at a corner
     vectors corners(3, 8);
@@ -89,6 +89,8 @@ void Foam::acoustics::linearShear::prepare(const boundBox& region)
 
     velocityAmplitude_ =
         std::max(velocityAmplitude_, u.colwise().norm().maxCoeff());
+
+    return 0;
 }
 
 

@@ -51,7 +51,7 @@ void Foam::acoustics::standingWave::velocity
     const Eigen::ArrayXd speed =
         velocityAmplitude()*std::sin(phase(t))*sine(kDistance(x));
 
-    u = direction()*speed.matrix().transpose();
+    add(speed, u);
 }
 
 

@@ -51,7 +51,7 @@ void Foam::acoustics::travellingWave::velocity
     const Eigen::ArrayXd speed =
         velocityAmplitude()*sine(phase(t) - kDistance(x));
 
-    u = direction()*speed.matrix().transpose();
+    add(speed, u);
 }
 
 

@@ -1,0 +1,106 @@
+"""An aerosol attenuates and slows down sound as Temkin and Dobbins say.
+
+In a closed tube, at rest at first, the fundamental decays: its complex
+frequency is compared with the exact one (tutorials/aerosolAttenuation/plot.py),
+which is that of the tube with clean gas, computed likewise, changed by the
+particles. These stand in a row, at equal distances.
+"""
+
+import importlib.util
+import os
+
+import numpy as np
+import pytest
+from aerosolcase import AerosolCase
+from foamcase import ROOT
+
+FULL = os.environ.get("ACOUSTICDEM_FULL_STATISTICS") == "1"
+
+N = 200  # particles, 8 per cell
+LENGTH = 0.1226  # m
+
+
+def load():
+    file = ROOT/"tutorials/aerosolAttenuation/plot.py"
+    spec = importlib.util.spec_from_file_location("attenuation", file)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def run(directory, s, m, steps=200, periods=10, cells=25, drag="Stokes"):
+    """A tube with an aerosol, or without an effect of it if m is 0."""
+    case = AerosolCase(directory, ROOT/"tutorials/aerosolAttenuation")
+    case.entry("system/tube", "omegaTau", s)
+    case.entry("system/tube", "massLoading", m or 0.1)
+    case.entry("system/tube", "count", N)
+    if not m:
+        case.entry("system/tube", "coupling", "none")
+    d = np.sqrt(18*1.81e-5*s/(2*np.pi*1400*2300))
+    case.particles(
+        [(((i + 0.5)/N*LENGTH, 5e-3, 5e-3), d) for i in range(N)],
+        density="$particleDensity",
+    )
+    case.model("drag", f"type {drag}; slipCorrection none;")
+    case.control("stepsPerPeriod", steps)
+    case.control("endTime", f"#eval{{ {periods}.0/$frequency }}")
+    case.replace("system/blockMeshDict", r"\(25 1 1\)", f"({cells} 1 1)")
+    case.run("blockMesh")
+    case.run("setExprFields")
+    case.run("acousticDEMFoam")
+    return case
+
+
+@pytest.fixture(scope="module", name="clean")
+def fixture_clean(tmp_path_factory):
+    """Frequency of the tube without aerosol, by steps per period and cells."""
+    known = {}
+
+    def frequency(steps, cells):
+        if (steps, cells) not in known:
+            case = run(
+                tmp_path_factory.mktemp("clean")/"case", 1, 0, steps,
+                cells=cells,
+            )
+            known[steps, cells] = load().analyse(case.path)
+        return known[steps, cells]
+
+    return frequency
+
+
+SOME = [
+    (0.1, 0.01, 200, 25), (0.1, 0.3, 200, 25), (1, 0.1, 200, 25),
+    (10, 0.01, 200, 25), (10, 0.3, 200, 25), (0.3, 0.3, 100, 25),
+]
+ALL = [
+    (s, m, steps, 25)
+    for s in (0.1, 0.3, 1, 3, 10) for m in (0.01, 0.1, 0.3)
+    for steps in (100, 200)
+] + [(1, 0.3, 200, 50), (0.1, 0.3, 400, 50)]
+
+
+@pytest.mark.parametrize("s, m, steps, cells", ALL if FULL else SOME)
+def test_is_that_of_Temkin_and_Dobbins(tmp_path, clean, s, m, steps, cells):
+    w0 = clean(steps, cells)
+    case = run(tmp_path/"case", s, m, steps, 20 if FULL else 10, cells)
+    w, exact = load().analyse(case.path, w0)
+
+    damping = (w.imag - w0.imag)/(exact.imag - w0.imag) - 1
+    dispersion = (w.real - w0.real)/(exact.real - w0.real) - 1
+    print(
+        f"\nomega tau {s:g}, loading {m:g}, T/{steps}, {2*cells} cells per"
+        f" wavelength: attenuation {100*damping:+.2f} %, change of frequency"
+        f" {100*dispersion:+.2f} %"
+    )
+    assert abs(damping) < 0.02
+    assert abs(dispersion) < 0.02
+
+
+def test_linear_theory_of_small_loadings():
+    """The exact frequency has the published limits."""
+    w0, m = 2*np.pi*1400, 1e-6
+    for s in (0.1, 1, 10):
+        w, _ = load().frequencies(w0, m, s/w0)
+        # Per time: c times the attenuation per length, w m s/(1 + s^2)/2
+        assert -w.imag == pytest.approx(w0/2*m*s/(1 + s*s), rel=1e-4)
+        assert (w0/w.real)**2 - 1 == pytest.approx(m/(1 + s*s), rel=1e-3)

@@ -1,0 +1,123 @@
+"""A coupled run goes on after a restart and on other numbers of ranks."""
+
+import numpy as np
+import pytest
+from aerosolcase import AerosolCase
+from foamcase import ROOT
+
+N = 200  # particles
+
+
+def prepare(directory, end):
+    """A tube with an aerosol of which much is yet to come in each step."""
+    case = AerosolCase(directory, ROOT/"tutorials/aerosolAttenuation")
+    case.entry("system/tube", "omegaTau", 0.5)
+    case.entry("system/tube", "massLoading", 0.3)
+    case.entry("system/tube", "count", N)
+    d = np.sqrt(18*1.81e-5*0.5/(2*np.pi*1400*2300))
+    case.particles(
+        [(((i + 0.5)/N*0.1226, 5e-3, 5e-3), d) for i in range(N)]
+    )
+    case.model("drag", "type SchillerNaumann; slipCorrection Cunningham;")
+    case.control("endTime", f"#eval{{ {end}.0/$frequency }}")
+    case.control("writeInterval", "200")
+    case.run("blockMesh")
+    case.run("setExprFields")
+    return case
+
+
+@pytest.fixture(scope="module", name="whole")
+def fixture_whole(tmp_path_factory):
+    case = prepare(tmp_path_factory.mktemp("whole")/"case", 2)
+    case.run("acousticDEMFoam")
+    return case.probes("history", "p")[1][:, 0]
+
+
+@pytest.mark.parametrize("forget, jump", [
+    ((), 0), (("aerosolForce",), 1e-6), (("aerosolImpulse_0",), 1e-6),
+])
+def test_restart(tmp_path, whole, forget, jump):
+    case = prepare(tmp_path/"case", 1)
+    case.run("acousticDEMFoam")
+    for name in forget:
+        (case.path/case.times()[-1]/name).unlink()
+    case.control("endTime", "#eval{ 2.0/$frequency }")
+    case.run("acousticDEMFoam")
+    parts = case.probes("history", "p")[1][:, 0]
+
+    off = np.abs(parts - whole).max()/np.abs(whole - 101325).max()
+    print(f"without {forget}: {off:.1e} of the amplitude off")
+    if jump:
+        assert off > jump
+    else:
+        assert off < 1e-8
+
+
+def test_ranks(tmp_path, whole):
+    case = prepare(tmp_path/"case", 1)
+    case.write(
+        "system/decomposeParDict",
+        """FoamFile
+{
+    version 2.0; format ascii; class dictionary; object decomposeParDict;
+}
+numberOfSubdomains 2;
+method  simple;
+simpleCoeffs { n (2 1 1); delta 0.001; }
+""",
+    )
+    case.run("decomposePar")
+    case.run(
+        "mpirun", "--oversubscribe", "-np", 2, "acousticDEMFoam", "-parallel"
+    )
+    parts = case.probes("history", "p")[1][:, 0]
+    first = whole[:len(parts)]
+    off = np.abs(parts - first).max()/np.abs(first - 101325).max()
+    print(f"two ranks: {off:.1e} of the amplitude off")
+    assert off < 1e-6
+
+
+def test_clouds_act_together(tmp_path, whole):
+    """Two boxes with half of the concentration each, where there was one."""
+    case = prepare(tmp_path/"case", 2)
+    case.write(
+        "constant/aerosolProperties",
+        (case.path/"constant/aerosolProperties").read_text()
+        + """
+double      #eval{ 2*$thickness };
+clouds
+{
+    one { domain { length ($length $thickness $double); } }
+    two { domain { length ($length $double $thickness); } }
+}
+""",
+    )
+    case.run("acousticDEMFoam")
+    parts = case.probes("history", "p")[1][:, 0]
+    off = np.abs(parts - whole).max()/np.abs(whole - 101325).max()
+    print(f"two boxes: {off:.1e} of the amplitude off")
+    assert off < 1e-10
+
+
+@pytest.mark.parametrize("change, message", [
+    (("represents", "(0 1 2)"), "represents"),
+    (("represents", "1"), "represents"),
+    (("type", "threeWay"), "none and twoWay"),
+])
+def test_refuses(tmp_path, change, message):
+    case = AerosolCase(tmp_path/"case", ROOT/"tutorials/aerosolAttenuation")
+    case.run("blockMesh")
+    old = {"represents": r"represents +[^;]*", "type": r"type +\$coupling"}
+    case.replace(
+        "constant/aerosolProperties", old[change[0]], " ".join(change)
+    )
+    assert message in case.run("acousticDEMFoam", status=1)
+
+
+def test_refuses_a_sound_that_feels_nothing(box):
+    box.write(
+        "constant/aerosolProperties",
+        (box.path/"constant"/"aerosolProperties").read_text()
+        + "\ncoupling { type twoWay; represents (0 0 0); }\n",
+    )
+    assert "is not changed by forces" in box.run("acousticDEMFoam", status=1)
