@@ -161,8 +161,11 @@ void Foam::acoustics::centralFluxes::inviscid
 
         const double third = p3*p3*SS + w3*w3;
         const double first = p1*p1*SS + w1*w1;
+        const double third2 = third*third;
+        const double quiet = silence*SS;
         const double epsilon =
-            filterStrength*third/(third + 16*first + silence*SS);
+            filterStrength*third2
+           /(third2 + filterOnset*first*first + quiet*quiet);
 
         const double a = epsilon*S[i]*p3*perC;
         const double bS = epsilon*w3;
