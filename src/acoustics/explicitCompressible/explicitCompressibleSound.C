@@ -10,6 +10,7 @@
 #include "fvMatrices.H"
 #include "fvMesh.H"
 #include "fvOptions.H"
+#include "numericsCheck.H"
 #include "volFields.H"
 
 #include <algorithm>
@@ -80,6 +81,35 @@ Foam::acoustics::explicitCompressibleSound::constants
     gas.p = undisturbed.rho*sqr(undisturbed.c)/gas.gamma;
 
     return gas;
+}
+
+
+void Foam::acoustics::explicitCompressibleSound::checkLaminar() const
+{
+    const IOdictionary turbulence
+    (
+        IOobject
+        (
+            "turbulenceProperties",
+            mesh_.time().constant(),
+            mesh_,
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+
+    if
+    (
+        turbulence.lookupOrDefault<word>("simulationType", "laminar")
+     != "laminar"
+    )
+    {
+        FatalIOErrorInFunction(turbulence)
+            << "The sound explicitCompressible knows laminar flow only. Set"
+            << " `simulationType laminar;`, or take the sound compressible"
+            << exit(FatalIOError);
+    }
 }
 
 
@@ -294,6 +324,12 @@ Foam::acoustics::explicitCompressibleSound::explicitCompressibleSound
     );
 
     const centralFluxes::gas& constants = fluxes_.properties();
+
+    checkLaminar();
+
+    const numericsCheck check(mesh, frequency(), gas().c);
+    check.report(Info);
+    check.warnExplicit();
 
     for (int k = 0; k < 5; ++k)
     {
