@@ -115,6 +115,7 @@ void Foam::acoustics::centralFluxes::inviscid
     const double* const Sy = &area_[1][r.first];
     const double* const Sz = &area_[2][r.first];
     const double* const S = &magnitude_[r.first];
+    const double* const filter = &filter_[r.first];
 
     const double impedance = gas_.rho*gas_.c;
     const double enthalpyFactor = gas_.gamma/(gas_.gamma - 1);
@@ -164,7 +165,7 @@ void Foam::acoustics::centralFluxes::inviscid
         const double third2 = third*third;
         const double quiet = silence*SS;
         const double epsilon =
-            filterStrength*third2
+            filter[i]*third2
            /(third2 + filterOnset*first*first + quiet*quiet);
 
         const double a = epsilon*S[i]*p3*perC;
@@ -320,6 +321,11 @@ Foam::acoustics::centralFluxes::centralFluxes
             )
         );
         conductance_.push_back(f.conductance);
+
+        // Without a line the differences say nothing of how smooth it is
+        const bool line =
+            f.cells[0] != f.cells[1] && f.cells[3] != f.cells[2];
+        filter_.push_back(line ? filterStrength : 0);
     }
 
     // Fewer than that are gathered

@@ -315,7 +315,7 @@ Foam::acoustics::explicitCompressibleSound::explicitCompressibleSound
     perVolume_(mesh.nCells()),
     finest_(0),
     fastest_(0),
-    parts_(0)
+    mostParts_(0)
 {
     requireOnly
     (
@@ -361,19 +361,22 @@ Foam::acoustics::explicitCompressibleSound::explicitCompressibleSound
         }
     }
 
-    // Areas of opposite faces over the volume are 1/h
+    // Areas of opposite faces over the volume are 1/h. Across a mesh that is
+    // one cell thick nothing propagates.
     scalarField squares(mesh.nCells(), 0);
-    for (const centralFluxes::face& f : stencils_.faces())
+    forAll(mesh.faceOwner(), facei)
     {
-        const scalar S2 =
-            sqr(f.area[0]) + sqr(f.area[1]) + sqr(f.area[2]);
+        const scalar half = 0.5*magSqr(mesh.faceAreas()[facei]);
+        const label left = mesh.faceOwner()[facei];
 
-        for (const int place : {f.cells[1], f.cells[2]})
+        if (mesh.isInternalFace(facei))
         {
-            if (place < mesh.nCells())
-            {
-                squares[place] += 0.5*S2;
-            }
+            squares[left] += half;
+            squares[mesh.faceNeighbour()[facei]] += half;
+        }
+        else if (stencils_.isCoupled(facei) || stencils_.inner(facei) != left)
+        {
+            squares[left] += half;
         }
     }
 
@@ -398,12 +401,12 @@ void Foam::acoustics::explicitCompressibleSound::step()
     const scalar duration = mesh_.time().deltaTValue()/n;
     const scalar start = mesh_.time().value() - mesh_.time().deltaTValue();
 
-    if (n != parts_)
+    if (n > mostParts_)
     {
         Info<< "    " << n << (n == 1 ? " part" : " parts")
             << " per fluid step, acoustic Courant number "
             << fastest_*finest_*duration << endl;
-        parts_ = n;
+        mostParts_ = n;
     }
 
     const vectorField force(forces());

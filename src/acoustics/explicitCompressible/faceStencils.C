@@ -15,6 +15,18 @@
 #include "syncTools.H"
 #include "volFields.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Largest ratio of the volumes of neighbours on a line: grading is less,
+//  refinement in two or three directions is more
+constexpr double maxGrowth = 2.5;
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::label Foam::acoustics::faceStencils::beyond
@@ -281,6 +293,45 @@ void Foam::acoustics::faceStencils::addFace
 }
 
 
+void Foam::acoustics::faceStencils::cutIrregularLines()
+{
+    centralFluxes::array V(size(), 0);
+
+    forAll(mesh_.cellVolumes(), i)
+    {
+        V[i] = mesh_.cellVolumes()[i];
+    }
+    exchange(std::vector<centralFluxes::array*>{&V});
+
+    for (label b = 0; b < nBoundary_; ++b)
+    {
+        if (!coupled_[b])
+        {
+            const label facei = mesh_.nInternalFaces() + b;
+
+            V[nCells_ + b] = V[mesh_.faceOwner()[facei]];
+            V[nCells_ + nBoundary_ + b] = V[inner(facei)];
+        }
+    }
+
+    for (centralFluxes::face& f : faces_)
+    {
+        auto& c = f.cells;
+
+        for (int i = 0; i < 3; ++i)
+        {
+            const scalar ratio = V[c[i]]/V[c[i + 1]];
+
+            if (ratio > maxGrowth || ratio < 1/maxGrowth)
+            {
+                c[0] = c[1];
+                c[3] = c[2];
+            }
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::acoustics::faceStencils::faceStencils(const fvMesh& mesh)
@@ -356,6 +407,8 @@ Foam::acoustics::faceStencils::faceStencils(const fvMesh& mesh)
             );
         }
     }
+
+    cutIrregularLines();
 }
 
 
@@ -372,6 +425,12 @@ Foam::label Foam::acoustics::faceStencils::inner(const label facei) const
     const label place = inner_[facei - mesh_.nInternalFaces()];
 
     return isCell(place) ? place : mesh_.faceOwner()[facei];
+}
+
+
+bool Foam::acoustics::faceStencils::isCoupled(const label facei) const
+{
+    return coupled_[facei - mesh_.nInternalFaces()];
 }
 
 
