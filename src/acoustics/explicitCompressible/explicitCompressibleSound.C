@@ -207,22 +207,19 @@ void Foam::acoustics::explicitCompressibleSound::stage
     const bool last
 )
 {
-    for (int k = 0; k < 5; ++k)
-    {
-        std::copy(source_[k].begin(), source_[k].end(), sum_[k].begin());
-    }
-
     fluxes_.addInviscid(q_, sum_);
 
     const scalar gammaMinus1 = fluxes_.properties().gamma - 1;
     const label n = perVolume_.size();
 
     const scalar* const perVolume = perVolume_.data();
-    const scalar* s[5];
+    const scalar* source[5];
+    scalar* s[5];
     scalar* c[5];
     scalar* q[5];
     for (int k = 0; k < 5; ++k)
     {
+        source[k] = source_[k].data();
         s[k] = sum_[k].data();
         c[k] = conserved_[k].data();
         q[k] = q_[k].data();
@@ -230,7 +227,12 @@ void Foam::acoustics::explicitCompressibleSound::stage
 
     const auto advance = [&](const label i, const int k)
     {
-        return c[k][i] - duration*perVolume[i]*s[k][i];
+        const scalar out = s[k][i] + source[k][i];
+
+        // For the next stage, while it is in the cache
+        s[k][i] = 0;
+
+        return c[k][i] - duration*perVolume[i]*out;
     };
 
     #pragma GCC ivdep
@@ -258,6 +260,12 @@ void Foam::acoustics::explicitCompressibleSound::stage
             c[3][i] = z;
             c[4][i] = E;
         }
+    }
+
+    // What has gone into ghosts is of no use
+    for (int k = 0; k < 5; ++k)
+    {
+        std::fill(sum_[k].begin() + n, sum_[k].end(), 0.0);
     }
 }
 
