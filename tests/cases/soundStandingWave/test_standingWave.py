@@ -206,3 +206,40 @@ def test_refuses_the_enthalpy_form(tmp_path):
 
     with pytest.raises(AssertionError, match="sensibleInternalEnergy"):
         case.run("acousticDEMFoam")
+
+
+@pytest.mark.parametrize(
+    "file, pattern, text, message",
+    [
+        ("turbulenceProperties", "laminar", "RAS", "laminar flow only"),
+        ("acousticProperties", "SPL ", "logSolvers yes; SPL ", "logSolvers"),
+        ("acousticProperties", "SPL ", "force push; SPL ", "push"),
+    ],
+)
+def test_refuses_what_the_explicit_sound_does_not_know(
+    tmp_path, file, pattern, text, message
+):
+    case = FoamCase("standingWaveTube", tmp_path/"case")
+    case.replace("constant/acousticProperties", "type +compressible",
+                 "type explicitCompressible")
+    case.replace(f"constant/{file}", pattern, text)
+    case.run("blockMesh")
+
+    with pytest.raises(AssertionError, match=message):
+        case.run("acousticDEMFoam")
+
+
+def test_warns_of_coarse_cells_and_divides_steps_explicitly(tmp_path):
+    case = FoamCase("standingWaveTube", tmp_path/"case")
+    case.replace("constant/acousticProperties", "type +compressible",
+                 "type explicitCompressible")
+    case.replace("system/blockMeshDict", r"\(25 1 1\)", "(8 1 1)")
+    case.replace("system/controlDict", "stepsPerPeriod +200",
+                 "stepsPerPeriod 10")
+    case.replace("system/controlDict", "10.0/", "0.2/")
+    case.run("blockMesh")
+    log = case.run("acousticDEMFoam")
+
+    # c T/10 are 1.6 of 16 cells per wavelength: two parts of 0.8
+    assert "frequency that is 0.079" in log
+    assert "2 parts per fluid step, acoustic Courant number 0.7999" in log
