@@ -25,7 +25,7 @@ namespace acoustics
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::psiThermo& Foam::acoustics::compressibleSound::internalEnergy() const
+Foam::psiThermo& Foam::acoustics::compressibleSound::internalEnergy()
 {
     if (thermo_->he().name() != "e")
     {
@@ -38,7 +38,7 @@ Foam::psiThermo& Foam::acoustics::compressibleSound::internalEnergy() const
             << exit(FatalIOError);
     }
 
-    return const_cast<psiThermo&>(*thermo_);
+    return *thermo_;
 }
 
 

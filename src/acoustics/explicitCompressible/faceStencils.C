@@ -11,9 +11,8 @@
 #include "globalIndex.H"
 #include "IPstream.H"
 #include "OPstream.H"
-#include "PstreamBuffers.H"
+#include "processorPolyPatch.H"
 #include "syncTools.H"
-#include "volFields.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -74,14 +73,19 @@ Foam::boolList Foam::acoustics::faceStencils::connect()
     {
         if (patch.coupled())
         {
-            const auto* cyclic = isA<coupledPolyPatch>(patch);
+            const auto* coupledPatch = isA<coupledPolyPatch>(patch);
 
-            if (cyclic && !cyclic->parallel())
+            if
+            (
+                !(isA<cyclicPolyPatch>(patch) || isA<processorPolyPatch>(patch))
+             || !coupledPatch->parallel()
+            )
             {
                 FatalErrorInFunction
-                    << "Patch " << patch.name() << " is rotated against the"
-                    << " one that it is coupled to. The sound explicitCompress"
-                    << "ible knows patches that are moved only"
+                    << "Patch " << patch.name() << " is of type "
+                    << patch.type() << " or is rotated against its other side."
+                    << nl << "The sound explicitCompressible knows cyclic"
+                    << " patches that are moved, face by face"
                     << exit(FatalError);
             }
 
@@ -345,7 +349,7 @@ Foam::acoustics::faceStencils::faceStencils(const fvMesh& mesh)
     const label start = mesh.nInternalFaces();
 
     // Ghosts of empty patches are none
-    boolList none(nBoundary_, false);
+    std::vector<bool> none(nBoundary_, false);
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
         if (isA<emptyPolyPatch>(patch))

@@ -99,7 +99,7 @@ Foam::acoustics::gasBoundary::makeSide(fvPatchField<Type>& field)
 
 
 template<class Type>
-void Foam::acoustics::gasBoundary::move
+void Foam::acoustics::gasBoundary::ask
 (
     fvPatchField<Type>& field,
     Field<Type>& values
@@ -126,17 +126,17 @@ void Foam::acoustics::gasBoundary::evaluate
         U_[i] = vector(q[1][i], q[2][i], q[3][i]);
     }
 
-    const auto ask = [&](auto& side, auto& field)
+    const auto renew = [&](auto& side, auto& field)
     {
         if (side.is == rule::evaluated)
         {
-            move(field.boundaryFieldRef()[b.index], side.end);
+            ask(field.boundaryFieldRef()[b.index], side.end);
         }
     };
 
-    ask(b.p, p_);
-    ask(b.T, T_);
-    ask(b.U, U_);
+    renew(b.p, p_);
+    renew(b.T, T_);
+    renew(b.U, U_);
 }
 
 
@@ -342,7 +342,7 @@ void Foam::acoustics::gasBoundary::begin
 
     for (patch& b : patches_)
     {
-        const auto ask = [&](auto& side, auto& field)
+        const auto renew = [&](auto& side, auto& field)
         {
             if (side.moves)
             {
@@ -350,15 +350,15 @@ void Foam::acoustics::gasBoundary::begin
 
                 side.begin = side.end;
                 time.value() = start + 0.5*duration;
-                move(condition, side.middle);
+                ask(condition, side.middle);
                 time.value() = start + duration;
-                move(condition, side.end);
+                ask(condition, side.end);
             }
         };
 
-        ask(b.p, p_);
-        ask(b.T, T_);
-        ask(b.U, U_);
+        renew(b.p, p_);
+        renew(b.T, T_);
+        renew(b.U, U_);
     }
 
     time.value() = now;
