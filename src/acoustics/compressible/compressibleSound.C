@@ -9,15 +9,8 @@
 #include "checkedEntry.H"
 #include "externalForce.H"
 #include "fvMesh.H"
-#include "mathematicalConstants.H"
 #include "numericsCheck.H"
-#include "regionSampler.H"
-#include "simplifiedFvMesh.H"
-#include "soundLevel.H"
 #include "surfaceInterpolate.H"
-#include "thermodynamicConstants.H"
-
-#include <algorithm>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -31,88 +24,22 @@ namespace acoustics
 }
 
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-//- A field that a restart finds again
-Foam::IOobject stored
-(
-    const Foam::word& name,
-    const Foam::fvMesh& mesh,
-    const Foam::IOobject::readOption read
-)
-{
-    return Foam::IOobject
-    (
-        name,
-        mesh.time().timeName(),
-        mesh,
-        read,
-        Foam::IOobject::AUTO_WRITE
-    );
-}
-
-} // End anonymous namespace
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::autoPtr<Foam::psiThermo> Foam::acoustics::compressibleSound::makeThermo
-(
-    const fvMesh& mesh
-)
+Foam::psiThermo& Foam::acoustics::compressibleSound::internalEnergy()
 {
-    autoPtr<psiThermo> thermo(psiThermo::New(mesh));
-
-    if (thermo->he().name() != "e")
+    if (thermo_->he().name() != "e")
     {
-        FatalIOErrorInFunction(*thermo)
+        FatalIOErrorInFunction(*thermo_)
             << "The sound is solved for the internal energy; this thermoType"
-            << " is for '" << thermo->he().name() << "'." << nl
+            << " is for '" << thermo_->he().name() << "'." << nl
             << "The enthalpy form amplifies sound (0.9 % per period with two"
             << " outer correctors)." << nl
             << "Set `energy sensibleInternalEnergy;` in thermoType"
             << exit(FatalIOError);
     }
 
-    return thermo;
-}
-
-
-Foam::acoustics::gasProperties
-Foam::acoustics::compressibleSound::undisturbedGas()
-{
-    if (storedGas_.size())
-    {
-        return gasProperties::read(storedGas_);
-    }
-
-    const auto mean = [this](const volScalarField& field)
-    {
-        return field.weightedAverage(mesh_.V()).value();
-    };
-
-    gasProperties gas;
-
-    gas.rho = mean(rho_);
-    gas.mu = mean(thermo_->mu());
-    gas.T = mean(thermo_->T());
-    gas.c = std::sqrt(mean(thermo_->gamma())*mean(p_)/gas.rho);
-
-    // psi = W/(R T)
-    const scalar W = mean(psi_)*constant::thermodynamic::RR*gas.T;
-    gas.meanFreePath =
-        gasProperties::kineticMeanFreePath(gas.mu, gas.rho, gas.T, W);
-
-    storedGas_.add("rho", gas.rho);
-    storedGas_.add("mu", gas.mu);
-    storedGas_.add("T", gas.T);
-    storedGas_.add("c", gas.c);
-    storedGas_.add("meanFreePath", gas.meanFreePath);
-
-    return gas;
+    return *thermo_;
 }
 
 
@@ -139,18 +66,13 @@ Foam::acoustics::compressibleSound::compressibleSound
     const dictionary& dict
 )
 :
-    soundField(readPositive(dict, "frequency", dimless/dimTime)),
-    mesh_(mesh),
-    expectedVelocity_(-1),
+    meshSound(mesh, dict),
     logSolvers_(dict.lookupOrDefault("logSolvers", false)),
     // It marks the last corrector in the mesh, hence not const
     pimple_(const_cast<fvMesh&>(mesh), "PIMPLE", false),
-    thermo_(makeThermo(mesh)),
-    p_(thermo_->p()),
+    p_(internalEnergy().p()),
     e_(thermo_->he()),
     psi_(thermo_->psi()),
-    rho_(stored("rho", mesh, IOobject::READ_IF_PRESENT), thermo_->rho()),
-    U_(stored("U", mesh, IOobject::MUST_READ), mesh),
     phi_
     (
         stored("phi", mesh, IOobject::READ_IF_PRESENT),
@@ -161,20 +83,7 @@ Foam::acoustics::compressibleSound::compressibleSound
         compressible::turbulenceModel::New(rho_, U_, phi_, *thermo_)
     ),
     K_("K", 0.5*magSqr(U_)),
-    fvOptions_(fv::options::New(mesh)),
-    storedGas_
-    (
-        IOobject
-        (
-            "undisturbedGas",
-            mesh.time().timeName(),
-            "uniform",
-            mesh,
-            IOobject::READ_IF_PRESENT,
-            IOobject::AUTO_WRITE
-        )
-    ),
-    gas_(undisturbedGas())
+    fvOptions_(fv::options::New(mesh))
 {
     requireOnly
     (
@@ -192,19 +101,7 @@ Foam::acoustics::compressibleSound::compressibleSound
         SolverPerformance<vector>::debug = 0;
     }
 
-    Info<< "    gas: rho " << gas_.rho << " kg/m3, mu " << gas_.mu
-        << " Pa s, T " << gas_.T << " K, c " << gas_.c
-        << " m/s, mean free path " << gas_.meanFreePath << " m" << endl;
-
-    if (dict.found("SPL") || dict.found("velocityAmplitude"))
-    {
-        const soundLevel level = soundLevel::read(dict, gas_);
-        expectedVelocity_ = level.uAmplitude();
-
-        Info<< "    expected level " << level << endl;
-    }
-
-    const numericsCheck check(mesh, frequency(), gas_.c);
+    const numericsCheck check(mesh, frequency(), gas().c);
     check.report(Info);
     check.warn(rho_, U_, psi_, p_, e_, pimple_);
 }
@@ -215,46 +112,6 @@ Foam::acoustics::compressibleSound::~compressibleSound() = default;
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalar Foam::acoustics::compressibleSound::velocityAmplitude() const
-{
-    return
-        expectedVelocity_ >= 0
-      ? expectedVelocity_
-      : std::sqrt(2*gMax(K_.primitiveField()));
-}
-
-
-Foam::label Foam::acoustics::compressibleSound::prepare(const boundBox& region)
-{
-    samplers_.push_back(std::make_unique<regionSampler>(mesh_, region));
-
-    regionSampler& sampler = *samplers_.back();
-    sampler.reset(U_.oldTime(), U_);
-
-    const Eigen::Array3d& spacing = sampler.lattice().spacing();
-    const scalar error = sampler.interpolationError
-    (
-        constant::mathematical::twoPi*frequency()/gas_.c
-    );
-
-    Info<< "    gas velocity from nodes (" << spacing[0] << ' ' << spacing[1]
-        << ' ' << spacing[2] << ") m apart: up to " << 100*error
-        << " % of the amplitude are lost between them" << endl;
-
-    // The mesh of a -dry-run is coarse
-    if (error > 1e-3 && !isA<simplifiedFvMesh>(mesh_))
-    {
-        WarningInFunction
-            << "The region in which the gas velocity is needed is so large, or"
-            << " the mesh so coarse, that the nodes do not resolve the sound"
-            << " well: " << 100*error << " % of the velocity amplitude are"
-            << " lost between them" << endl;
-    }
-
-    return samplers_.size() - 1;
-}
-
-
 bool Foam::acoustics::compressibleSound::feelsForces()
 {
     force_.reset(new externalForce(mesh_));
@@ -263,7 +120,7 @@ bool Foam::acoustics::compressibleSound::feelsForces()
 }
 
 
-void Foam::acoustics::compressibleSound::advance()
+void Foam::acoustics::compressibleSound::step()
 {
     solveContinuity();
 
@@ -290,46 +147,6 @@ void Foam::acoustics::compressibleSound::advance()
     {
         force_->finish(U_);
     }
-
-    for (const auto& sampler : samplers_)
-    {
-        sampler->advance(U_);
-    }
-}
-
-
-void Foam::acoustics::compressibleSound::velocity
-(
-    const scalar t,
-    const vectors& x,
-    vectors& u
-) const
-{
-    velocityIn(0, t, x, u);
-}
-
-
-void Foam::acoustics::compressibleSound::velocityIn
-(
-    const label region,
-    const scalar t,
-    const vectors& x,
-    vectors& u
-) const
-{
-    if (region >= label(samplers_.size()))
-    {
-        FatalErrorInFunction
-            << "The gas velocity is asked for before a region was announced"
-            << exit(FatalError);
-    }
-
-    // Both ends of the step are exact, whatever rounding did to the time
-    const scalar end = mesh_.time().value();
-    const scalar step = mesh_.time().deltaTValue();
-    const scalar fraction = 1 + (t - end)/step;
-
-    samplers_[region]->velocity(std::clamp(fraction, 0.0, 1.0), x, u);
 }
 
 

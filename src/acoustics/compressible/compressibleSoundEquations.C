@@ -169,36 +169,17 @@ void Foam::acoustics::compressibleSound::correctPressure
         }
     }
 
-    checkState();
+    forAll(p_, celli)
+    {
+        checkState(p_[celli], thermo_->T()[celli], celli);
+    }
+
     solveContinuity();
 
     U_ = HbyA - rAU*fvc::grad(p_);
     U_.correctBoundaryConditions();
     fvOptions_.correct(U_);
     K_ = 0.5*magSqr(U_);
-}
-
-
-void Foam::acoustics::compressibleSound::checkState() const
-{
-    forAll(p_, celli)
-    {
-        const scalar p = p_[celli];
-        const scalar T = thermo_->T()[celli];
-
-        // Not true for numbers that are none
-        if (!(p > 0 && p < GREAT && T > 0 && T < GREAT))
-        {
-            FatalErrorInFunction
-                << "The gas has p = " << p << " Pa, T = " << T << " K at "
-                << mesh_.C()[celli] << ", time " << mesh_.time().timeName()
-                << " s." << nl
-                << "The solution has diverged: see the warnings at the start"
-                << " of the log about schemes, outer correctors and"
-                << " resolution, and check the amplitude of the source"
-                << exit(FatalError);
-        }
-    }
 }
 
 

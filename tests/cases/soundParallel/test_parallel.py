@@ -21,8 +21,15 @@ PISTON = """left
     }"""
 
 
-def prepared(directory):
+# Relative to the amplitude: iterations stop at a residual, explicit steps do
+# the same sums
+MOST = {"compressible": 1e-7, "explicitCompressible": 1e-10}
+
+
+def prepared(directory, kind):
     case = FoamCase("standingWaveTube", directory)
+    case.replace("constant/acousticProperties", "type +compressible",
+                 f"type {kind}")
     case.replace("0/U", r"left\s*\{[^}]*\}", PISTON)
     case.replace("system/controlDict", "ascii", "binary")
     case.replace("system/controlDict", "10.0/", "1.0/")
@@ -57,26 +64,31 @@ def run_parallel(case, ranks):
     )
 
 
+@pytest.fixture(scope="module", name="kind", params=list(MOST))
+def fixture_kind(request):
+    return request.param
+
+
 @pytest.fixture(scope="module", name="serial")
-def fixture_serial(tmp_path_factory):
-    case = prepared(tmp_path_factory.mktemp("serial")/"case")
+def fixture_serial(tmp_path_factory, kind):
+    case = prepared(tmp_path_factory.mktemp("serial")/"case", kind)
     case.run("acousticDEMFoam")
     return pressure(case)
 
 
 @pytest.mark.parametrize("ranks", [2, 4])
-def test_is_that_of_one_rank(tmp_path, serial, ranks):
-    case = prepared(tmp_path/"case")
+def test_is_that_of_one_rank(tmp_path, kind, serial, ranks):
+    case = prepared(tmp_path/"case", kind)
     decompose(case, ranks)
     run_parallel(case, ranks)
 
     difference = np.abs(pressure(case) - serial).max()
     print(f"{ranks} ranks: {difference} Pa")
-    assert difference < 1e-7*np.abs(serial - 101325).max()
+    assert difference < MOST[kind]*np.abs(serial - 101325).max()
 
 
-def test_continues_on_another_number_of_ranks(tmp_path, serial):
-    case = prepared(tmp_path/"case")
+def test_continues_on_another_number_of_ranks(tmp_path, kind, serial):
+    case = prepared(tmp_path/"case", kind)
     case.replace("system/controlDict", r"1\.0/.freq", "0.5/$freq")
     case.replace("system/controlDict", "writeInterval +.stepsPerPeriod",
                  "writeInterval 100")
@@ -90,4 +102,4 @@ def test_continues_on_another_number_of_ranks(tmp_path, serial):
     assert joined.shape == serial.shape
     difference = np.abs(joined - serial).max()
     print(f"one rank, then two: {difference} Pa")
-    assert difference < 1e-6*np.abs(serial - 101325).max()
+    assert difference < 10*MOST[kind]*np.abs(serial - 101325).max()

@@ -1,0 +1,230 @@
+/*---------------------------------------------------------------------------*\
+    acousticDEM: acoustic agglomeration of aerosols
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "meshSound.H"
+
+#include "checkedEntry.H"
+#include "fvMesh.H"
+#include "mathematicalConstants.H"
+#include "regionSampler.H"
+#include "simplifiedFvMesh.H"
+#include "soundLevel.H"
+#include "thermodynamicConstants.H"
+
+#include <algorithm>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::acoustics::gasProperties Foam::acoustics::meshSound::undisturbedGas()
+{
+    if (storedGas_.size())
+    {
+        return gasProperties::read(storedGas_);
+    }
+
+    const auto mean = [this](const volScalarField& field)
+    {
+        return field.weightedAverage(mesh_.V()).value();
+    };
+
+    gasProperties gas;
+
+    gas.rho = mean(rho_);
+    gas.mu = mean(thermo_->mu());
+    gas.T = mean(thermo_->T());
+    gas.c = std::sqrt(mean(thermo_->gamma())*mean(thermo_->p())/gas.rho);
+
+    // psi = W/(R T)
+    const scalar W = mean(thermo_->psi())*constant::thermodynamic::RR*gas.T;
+    gas.meanFreePath =
+        gasProperties::kineticMeanFreePath(gas.mu, gas.rho, gas.T, W);
+
+    storedGas_.add("rho", gas.rho);
+    storedGas_.add("mu", gas.mu);
+    storedGas_.add("T", gas.T);
+    storedGas_.add("c", gas.c);
+    storedGas_.add("meanFreePath", gas.meanFreePath);
+
+    return gas;
+}
+
+
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+Foam::IOobject Foam::acoustics::meshSound::stored
+(
+    const word& name,
+    const fvMesh& mesh,
+    const IOobject::readOption read
+)
+{
+    return IOobject
+    (
+        name,
+        mesh.time().timeName(),
+        mesh,
+        read,
+        IOobject::AUTO_WRITE
+    );
+}
+
+
+void Foam::acoustics::meshSound::checkState
+(
+    const scalar p,
+    const scalar T,
+    const label celli
+) const
+{
+    // Not true for numbers that are none
+    if (!(p > 0 && p < GREAT && T > 0 && T < GREAT))
+    {
+        FatalErrorInFunction
+            << "The gas has p = " << p << " Pa, T = " << T << " K at "
+            << mesh_.C()[celli] << ", time " << mesh_.time().timeName()
+            << " s." << nl
+            << "The solution has diverged: see the warnings at the start"
+            << " of the log about schemes, outer correctors and"
+            << " resolution, and check the amplitude of the source"
+            << exit(FatalError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::acoustics::meshSound::meshSound
+(
+    const fvMesh& mesh,
+    const dictionary& dict
+)
+:
+    soundField(readPositive(dict, "frequency", dimless/dimTime)),
+    expectedVelocity_(-1),
+    storedGas_
+    (
+        IOobject
+        (
+            "undisturbedGas",
+            mesh.time().timeName(),
+            "uniform",
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        )
+    ),
+    mesh_(mesh),
+    thermo_(psiThermo::New(mesh)),
+    rho_(stored("rho", mesh, IOobject::READ_IF_PRESENT), thermo_->rho()),
+    U_(stored("U", mesh, IOobject::MUST_READ), mesh)
+{
+    gas_ = undisturbedGas();
+
+    Info<< "    gas: rho " << gas_.rho << " kg/m3, mu " << gas_.mu
+        << " Pa s, T " << gas_.T << " K, c " << gas_.c
+        << " m/s, mean free path " << gas_.meanFreePath << " m" << endl;
+
+    if (dict.found("SPL") || dict.found("velocityAmplitude"))
+    {
+        const soundLevel level = soundLevel::read(dict, gas_);
+        expectedVelocity_ = level.uAmplitude();
+
+        Info<< "    expected level " << level << endl;
+    }
+}
+
+
+Foam::acoustics::meshSound::~meshSound() = default;
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::acoustics::meshSound::velocityAmplitude() const
+{
+    return
+        expectedVelocity_ >= 0
+      ? expectedVelocity_
+      : std::sqrt(gMax(magSqr(U_.primitiveField())()));
+}
+
+
+Foam::label Foam::acoustics::meshSound::prepare(const boundBox& region)
+{
+    samplers_.push_back(std::make_unique<regionSampler>(mesh_, region));
+
+    regionSampler& sampler = *samplers_.back();
+    sampler.reset(U_, U_);
+
+    const Eigen::Array3d& spacing = sampler.lattice().spacing();
+    const scalar error = sampler.interpolationError
+    (
+        constant::mathematical::twoPi*frequency()/gas_.c
+    );
+
+    Info<< "    gas velocity from nodes (" << spacing[0] << ' ' << spacing[1]
+        << ' ' << spacing[2] << ") m apart: up to " << 100*error
+        << " % of the amplitude are lost between them" << endl;
+
+    // The mesh of a -dry-run is coarse
+    if (error > 1e-3 && !isA<simplifiedFvMesh>(mesh_))
+    {
+        WarningInFunction
+            << "The region in which the gas velocity is needed is so large, or"
+            << " the mesh so coarse, that the nodes do not resolve the sound"
+            << " well: " << 100*error << " % of the velocity amplitude are"
+            << " lost between them" << endl;
+    }
+
+    return samplers_.size() - 1;
+}
+
+
+void Foam::acoustics::meshSound::advance()
+{
+    step();
+
+    for (const auto& sampler : samplers_)
+    {
+        sampler->advance(U_);
+    }
+}
+
+
+void Foam::acoustics::meshSound::velocity
+(
+    const scalar t,
+    const vectors& x,
+    vectors& u
+) const
+{
+    velocityIn(0, t, x, u);
+}
+
+
+void Foam::acoustics::meshSound::velocityIn
+(
+    const label region,
+    const scalar t,
+    const vectors& x,
+    vectors& u
+) const
+{
+    if (region >= label(samplers_.size()))
+    {
+        FatalErrorInFunction
+            << "The gas velocity is asked for before a region was announced"
+            << exit(FatalError);
+    }
+
+    // Both ends of the step are exact, whatever rounding did to the time
+    const scalar end = mesh_.time().value();
+    const scalar step = mesh_.time().deltaTValue();
+    const scalar fraction = 1 + (t - end)/step;
+
+    samplers_[region]->velocity(std::clamp(fraction, 0.0, 1.0), x, u);
+}
+
+
+// ************************************************************************* //
