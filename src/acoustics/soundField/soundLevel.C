@@ -87,8 +87,14 @@ Foam::scalar Foam::acoustics::soundLevel::pRms() const
 
 Foam::scalar Foam::acoustics::soundLevel::SPL() const
 {
+    return SPL(pRms());
+}
+
+
+Foam::scalar Foam::acoustics::soundLevel::SPL(const scalar pRms)
+{
     // Silence is a level of minus infinity, which cannot be printed
-    return 20*std::log10(std::max(pRms(), VSMALL)/pReference);
+    return 20*std::log10(std::max(pRms, VSMALL)/pReference);
 }
 
 
