@@ -8,6 +8,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "checkedEntry.H"
 #include "fvMesh.H"
+#include "levelControl.H"
 #include "mathematicalConstants.H"
 #include "numericsCheck.H"
 #include "regionSampler.H"
@@ -177,7 +178,8 @@ Foam::acoustics::compressibleSound::compressibleSound
     requireOnly
     (
         dict,
-        {"type", "frequency", "SPL", "velocityAmplitude", "logSolvers"}
+        {"type", "frequency", "SPL", "velocityAmplitude", "logSolvers",
+         "control"}
     );
 
     mesh.setFluxRequired(p_.name());
@@ -205,6 +207,21 @@ Foam::acoustics::compressibleSound::compressibleSound
     const numericsCheck check(mesh, frequency(), gas_.c);
     check.report(Info);
     check.warn(rho_, U_, psi_, p_, e_, pimple_);
+
+    if (dict.found("control"))
+    {
+        control_.reset
+        (
+            new levelControl
+            (
+                mesh,
+                dict.subDict("control"),
+                frequency(),
+                soundLevel::read(dict, gas_).pRms(),
+                gas_.c
+            )
+        );
+    }
 }
 
 
@@ -274,6 +291,11 @@ void Foam::acoustics::compressibleSound::advance()
     if (sampler_)
     {
         sampler_->advance(U_);
+    }
+
+    if (control_)
+    {
+        control_->advance();
     }
 }
 
