@@ -1,0 +1,422 @@
+/*---------------------------------------------------------------------------*\
+    acousticDEM: acoustic agglomeration of aerosols
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "untilPeriodic.H"
+
+#include "addToRunTimeSelectionTable.H"
+#include "cellField.H"
+#include "checkedEntry.H"
+#include "levelControl.H"
+#include "selectModel.H"
+#include "volFields.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace acoustics
+{
+    defineTypeNameAndDebug(untilPeriodic, 0);
+    addToRunTimeSelectionTable(soundField, untilPeriodic, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+const Foam::vectorField&
+Foam::acoustics::untilPeriodic::solvedVelocity() const
+{
+    return mesh_.lookupObject<volVectorField>("U").primitiveField();
+}
+
+
+void Foam::acoustics::untilPeriodic::makeFlow
+(
+    const harmonicFlow::terms& terms
+)
+{
+    flow_.reset(new harmonicFlow(mesh_, frequency(), terms));
+
+    if (region_)
+    {
+        flow_->prepare(*region_);
+    }
+}
+
+
+void Foam::acoustics::untilPeriodic::endPeriod()
+{
+    // All terms: the change does not depend on what is left out
+    const harmonicFlow::terms now(harmonicFlow::significant(sum_, 0));
+
+    scalar change = 1;
+    scalar changeOfMean = 1;
+    if (before_.size() == now.size())
+    {
+        scalar difference = 0;
+        scalar ofMean = 0;
+        scalar all = 0;
+        forAll(now, i)
+        {
+            forAll(now[i], celli)
+            {
+                const scalar V = mesh_.V()[celli];
+                difference += V*magSqr(now[i][celli] - before_[i][celli]);
+                all += V*magSqr(now[i][celli]);
+            }
+            if (i == 0)
+            {
+                ofMean = difference;
+            }
+        }
+        reduce(difference, sumOp<scalar>());
+        reduce(ofMean, sumOp<scalar>());
+        reduce(all, sumOp<scalar>());
+
+        change = std::sqrt(difference/max(all, VSMALL));
+        changeOfMean = std::sqrt(ofMean/max(all, VSMALL));
+    }
+    before_ = now;
+
+    nSteady_ = change < tolerance_ ? nSteady_ + 1 : 0;
+
+    Info<< "Sound, period " << label(std::lround(sum_.end()*frequency()))
+        << ": the velocity has changed by " << 100*change << " %, "
+        << 100*changeOfMean << " % by its mean" << endl;
+
+    const auto* control = mesh_.cfindObject<levelControl>("levelControl");
+    const bool periodic =
+        nSteady_ >= 2 && (!control || control->periodic());
+
+    if (periodic || sum_.end() > startTime_ - 1e-6/frequency())
+    {
+        makeFlow(harmonicFlow::significant(sum_, harmonicTolerance_));
+
+        Info<< "    The sound is "
+            << (periodic ? "periodic" : "taken for periodic")
+            << ": one more period is solved, and compared with its mean and "
+            << flow_->nHarmonics() << " harmonics" << endl;
+
+        endOfComparison_ = sum_.end() + 1/frequency();
+        nCompared_ = 0;
+        squares_ = 0;
+        largest_ = 0;
+    }
+}
+
+
+void Foam::acoustics::untilPeriodic::compare()
+{
+    const scalar t = mesh_.time().value();
+
+    scalar n = 0;
+    scalar squares = 0;
+    scalar largest = 0;
+
+    const auto add = [&](const scalar differenceSqr)
+    {
+        n += 1;
+        squares += differenceSqr;
+        largest = max(largest, std::sqrt(differenceSqr));
+    };
+
+    if (region_)
+    {
+        velocityLattice::values solved;
+        flow_->sampler().sample(solvedVelocity(), solved);
+
+        const velocityLattice::values difference = solved - flow_->atNodes(t);
+        for (Eigen::Index node = 0; node < difference.cols(); ++node)
+        {
+            add(difference.col(node).head<3>().matrix().squaredNorm());
+        }
+    }
+    else
+    {
+        const vectorField difference(solvedVelocity() - flow_->inCells(t));
+        for (const vector& d : difference)
+        {
+            add(magSqr(d));
+        }
+    }
+
+    reduce(n, sumOp<scalar>());
+    reduce(squares, sumOp<scalar>());
+    reduce(largest, maxOp<scalar>());
+
+    nCompared_ += n;
+    squares_ += squares;
+    largest_ = max(largest_, largest);
+
+    if (t > endOfComparison_ - 1e-6/frequency())
+    {
+        handOver();
+    }
+}
+
+
+void Foam::acoustics::untilPeriodic::handOver()
+{
+    // The largest amplitude where the two have been compared
+    scalar amplitude = 0;
+    if (region_)
+    {
+        for (label i = 0; i < 24; ++i)
+        {
+            const scalar t =
+                mesh_.time().value() + i/(24*frequency());
+            amplitude = max
+            (
+                amplitude,
+                std::sqrt
+                (
+                    flow_->atNodes(t).topRows<3>().matrix()
+                   .colwise().squaredNorm().maxCoeff()
+                )
+            );
+        }
+        reduce(amplitude, maxOp<scalar>());
+    }
+    else
+    {
+        amplitude = flow_->largestSpeed();
+    }
+
+    const scalar perCent = 100/max(amplitude, VSMALL);
+
+    Info<< "    Over the last period the replay differs from what was solved"
+        << " by " << perCent*std::sqrt(squares_/nCompared_) << " % rms, and "
+        << perCent*largest_ << " % at most, of the velocity amplitude of "
+        << amplitude << " m/s" << nl
+        << "    From here on the sound is replayed" << endl;
+
+    // The solver and its fields
+    solved_.reset(nullptr);
+
+    // The thermodynamics leave their temperature behind
+    if (auto* T = mesh_.getObjectPtr<volScalarField>("T"))
+    {
+        T->checkOut();
+    }
+
+    state_.set("frequency", frequency());
+    state_.set("expectedAmplitude", expectedAmplitude_);
+    dictionary gas;
+    gas.add("rho", gas_.rho);
+    gas.add("mu", gas_.mu);
+    gas.add("T", gas_.T);
+    gas.add("c", gas_.c);
+    gas.add("meanFreePath", gas_.meanFreePath);
+    state_.set("gas", gas);
+    state_.writeOpt() = IOobject::AUTO_WRITE;
+
+    makeFields();
+}
+
+
+void Foam::acoustics::untilPeriodic::makeFields()
+{
+    const auto make =
+        [this](const word& name, const vectorField& inCells)
+        {
+            volVectorField* field = cellField
+            (
+                name, mesh_, dimVelocity, inCells
+            ).ptr();
+            field->writeOpt() = IOobject::AUTO_WRITE;
+            field->checkIn();
+            return field;
+        };
+
+    const harmonicFlow::terms& terms = flow_->inCells();
+
+    fields_.setSize(terms.size());
+    forAll(terms, i)
+    {
+        fields_.set(i, make(harmonicFlow::name(i), terms[i]));
+    }
+
+    U_.reset(make("U", flow_->inCells(mesh_.time().value())));
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::acoustics::untilPeriodic::untilPeriodic
+(
+    const fvMesh& mesh,
+    const dictionary& dict
+)
+:
+    soundField
+    (
+        readPositive(dict.subDict("solve"), "frequency", dimless/dimTime)
+    ),
+    mesh_(mesh),
+    tolerance_(readPositive(dict, "tolerance", dimless, 1e-3)),
+    startTime_
+    (
+        dict.found("startTime") ? readFinite(dict, "startTime", dimTime) : GREAT
+    ),
+    harmonicTolerance_
+    (
+        readPositive(dict, "harmonicTolerance", dimless, 1e-3)
+    ),
+    state_
+    (
+        IOobject
+        (
+            "replay",
+            mesh.time().timeName(),
+            "uniform",
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE
+        )
+    ),
+    expectedAmplitude_(-1),
+    sum_(frequency(), dict.lookupOrDefault<label>("harmonics", 5)),
+    nSteady_(0),
+    endOfComparison_(0),
+    nCompared_(0),
+    squares_(0),
+    largest_(0)
+{
+    requireOnly
+    (
+        dict,
+        {"type", "solve", "tolerance", "startTime", "harmonics",
+         "harmonicTolerance"}
+    );
+
+    if (sum_.nHarmonics() < 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'harmonics' of " << dict.name() << " is "
+            << sum_.nHarmonics() << ", but it must be 1 or more"
+            << exit(FatalIOError);
+    }
+
+    if (state_.size())
+    {
+        if (readPositive(state_, "frequency", dimless/dimTime) != frequency())
+        {
+            FatalIOErrorInFunction(dict)
+                << "The sound was solved, and is replayed, at a frequency of "
+                << state_.get<scalar>("frequency") << " Hz; for another one,"
+                << " start anew" << exit(FatalIOError);
+        }
+
+        gas_ = gasProperties::read(state_.subDict("gas"));
+        expectedAmplitude_ = state_.get<scalar>("expectedAmplitude");
+        state_.writeOpt() = IOobject::AUTO_WRITE;
+
+        makeFlow(harmonicFlow::read(mesh, mesh.time().timeName()));
+        makeFields();
+
+        Info<< "    replayed, as at the end of the last run: "
+            << frequency() << " Hz, " << flow_->nHarmonics()
+            << " harmonics with the fundamental" << endl;
+        return;
+    }
+
+    const dictionary& solve = dict.subDict("solve");
+
+    solved_ = selectModel<soundField>
+    (
+        solve,
+        "sound",
+        dictionaryConstructorTablePtr_,
+        mesh,
+        solve
+    );
+
+    if (!mesh.foundObject<volVectorField>("U"))
+    {
+        FatalIOErrorInFunction(solve)
+            << "The sound " << solved_->type() << " is not solved on the mesh:"
+            << " there is nothing to be saved by a replay"
+            << exit(FatalIOError);
+    }
+
+    gas_ = solved_->gas();
+    expectedAmplitude_ = solved_->expectedAmplitude();
+
+    // The state at the start belongs to the first period
+    sum_.add(mesh.time().value(), solvedVelocity());
+}
+
+
+Foam::acoustics::untilPeriodic::~untilPeriodic() = default;
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::acoustics::untilPeriodic::velocityAmplitude() const
+{
+    return solved_ ? solved_->velocityAmplitude() : flow_->largestSpeed();
+}
+
+
+void Foam::acoustics::untilPeriodic::prepare(const boundBox& region)
+{
+    region_.reset(new boundBox(region));
+
+    if (solved_)
+    {
+        solved_->prepare(region);
+    }
+    if (flow_)
+    {
+        flow_->prepare(region);
+    }
+}
+
+
+void Foam::acoustics::untilPeriodic::advance()
+{
+    if (solved_)
+    {
+        solved_->advance();
+
+        if (flow_)
+        {
+            compare();
+        }
+        else if (sum_.add(mesh_.time().value(), solvedVelocity()))
+        {
+            endPeriod();
+        }
+    }
+    else if (mesh_.time().writeTime())
+    {
+        U_->primitiveFieldRef() = flow_->inCells(mesh_.time().value());
+        U_->correctBoundaryConditions();
+    }
+}
+
+
+void Foam::acoustics::untilPeriodic::velocity
+(
+    const scalar t,
+    const vectors& x,
+    vectors& u
+) const
+{
+    if (solved_)
+    {
+        solved_->velocity(t, x, u);
+    }
+    else
+    {
+        flow_->velocity(t, x, u);
+    }
+}
+
+
+// ************************************************************************* //
