@@ -31,7 +31,7 @@ namespace
 {
 
 //- Periods from which the response is found
-constexpr size_t nRemembered = 6;
+constexpr size_t nRemembered = 4;
 
 
 const Foam::fvPatchVectorField& velocityAt
@@ -353,9 +353,13 @@ void Foam::acoustics::levelControl::control()
 
     // Let the last change be over for two periods, and the field answer
     const bool quiet =
-        mesh_.time().value() > factor_.end() + 1.9/frequency_;
+        nStarted_ >= 3
+     && mesh_.time().value() > factor_.end() + 1.9/frequency_;
 
-    if (quiet && mag(settledError) > 0.3*tolerance_)
+    // What holds is not touched for a trifle: the field would never repeat
+    const scalar trifle = (nHeld_ < 3 ? 0.3 : 0.7)*tolerance_;
+
+    if (quiet && mag(settledError) > trifle)
     {
         const scalar most = std::log(30.0);
         const scalar change =

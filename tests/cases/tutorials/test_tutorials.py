@@ -13,12 +13,14 @@ TUTORIALS = sorted(ROOT.glob("tutorials/*/Allrun"))
 SHORTER = {
     "flyAshChamber": {"100.0": "2.0", "59.999": "0.999", "60.001": "1.001"},
     "isolatedParticle": {"3.0": "2.0"},
+    "resonantChamber": {"80.0": "2.01"},
     "standingWaveTube": {"10.0": "1.1"},
 }
 
 PICTURES = {
     "flyAshChamber": {"soundLevel.png", "agglomeration.png"},
     "isolatedParticle": {"isolatedParticle.png"},
+    "resonantChamber": {"resonantChamber.png"},
     "standingWaveTube": {"standingWaveTube.png"},
 }
 
