@@ -35,6 +35,14 @@ bool Foam::functionObjects::soundPressureLevel::add()
         return false;
     }
 
+    if (p->dimensions() != dimPressure)
+    {
+        FatalErrorInFunction
+            << "The pressure " << pName_ << " of " << name() << " has the"
+            << " dimensions " << p->dimensions() << ", not those of Pa: an"
+            << " incompressible solver has no sound" << exit(FatalError);
+    }
+
     if (!p_)
     {
         p_.reset(new acoustics::harmonicSum<scalar>(frequency_, nHarmonics_));

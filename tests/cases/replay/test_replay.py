@@ -149,17 +149,47 @@ def test_the_solver_has_ended(replayed):
     assert in_cells(time/"U") == pytest.approx(U, abs=1e-3*0.02)
 
 
-def test_restart_replays(tmp_path, replayed):
-    case = tube(tmp_path/"case", 15, UNTIL)
-    case.run("acousticDEMFoam")
-    case.replace("system/controlDict", "15.0/", "20.0/")
-    log = case.run("acousticDEMFoam")
+def decompose(case, ranks, *options):
+    case.write(
+        "system/decomposeParDict",
+        "FoamFile { version 2.0; format ascii; class dictionary;"
+        " object decomposeParDict; }\n"
+        f"numberOfSubdomains {ranks}; method simple;"
+        f" simpleCoeffs {{ n ({ranks} 1 1); delta 0.001; }}\n",
+    )
+    case.run("decomposePar", *options)
 
+
+def solve(case, ranks):
+    if ranks == 1:
+        return case.run("acousticDEMFoam")
+    return case.run(
+        "mpirun", "--allow-run-as-root", "--oversubscribe", "-np", ranks,
+        "acousticDEMFoam", "-parallel",
+    )
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_restart_replays(tmp_path, replayed, ranks):
+    case = tube(tmp_path/"case", 15, UNTIL)
+    if ranks > 1:
+        decompose(case, ranks)
+    solve(case, ranks)
+    case.replace("system/controlDict", "15.0/", "20.0/")
+    log = solve(case, ranks)
+    if ranks > 1:
+        case.run("reconstructPar", "-latestTime")
+
+    # The time is written with ten digits; and in parallel the equations are
+    # solved to 1e-10 of 1e5 Pa, in another order
     assert "replayed, as at the end of the last run" in log
     a, b = last(case), last(replayed)
-    # The time is written with ten digits
-    assert a["position"] == pytest.approx(b["position"], rel=0, abs=1e-12)
-    assert a["U"] == pytest.approx(b["U"], rel=0, abs=1e-9)
+    assert a["position"] == pytest.approx(
+        b["position"], rel=0, abs=1e-12 if ranks == 1 else 1e-9
+    )
+    assert a["U"] == pytest.approx(
+        b["U"], rel=0, abs=1e-9 if ranks == 1 else 1e-6
+    )
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
@@ -177,23 +207,11 @@ def test_another_case_replays(tmp_path, replayed, ranks):
     shutil.rmtree(case.path/"0")
 
     if ranks > 1:
-        for where in (case, replayed):
-            where.write(
-                "system/decomposeParDict",
-                "FoamFile { version 2.0; format ascii; class dictionary;"
-                " object decomposeParDict; }\n"
-                f"numberOfSubdomains {ranks}; method simple;"
-                f" simpleCoeffs {{ n ({ranks} 1 1); delta 0.001; }}\n",
-            )
-        case.run("decomposePar")
-        replayed.run("decomposePar", "-force", "-latestTime")
-        case.run(
-            "mpirun", "--allow-run-as-root", "--oversubscribe", "-np", ranks,
-            "acousticDEMFoam", "-parallel",
-        )
+        decompose(case, ranks)
+        decompose(replayed, ranks, "-force", "-latestTime")
+    solve(case, ranks)
+    if ranks > 1:
         case.run("reconstructPar", "-latestTime")
-    else:
-        case.run("acousticDEMFoam")
 
     (name,) = [t for t in case.times() if float(t) > 2.4/FREQUENCY][-1:]
     cloud = case.cloud(name)
