@@ -229,6 +229,12 @@ void Foam::acoustics::untilPeriodic::makeFields()
                 name, mesh_, dimVelocity, inCells
             ).ptr();
             field->writeOpt() = IOobject::AUTO_WRITE;
+
+            // A function object may have made one of the same name
+            if (auto* other = mesh_.getObjectPtr<regIOobject>(name))
+            {
+                other->checkOut();
+            }
             field->checkIn();
             return field;
         };

@@ -183,6 +183,17 @@ def test_refuses_a_node(tmp_path):
     assert "Choose another point" in log
 
 
+def test_refuses_what_gas_cannot_do(tmp_path):
+    case = prepare(
+        tmp_path/"case", 1000, 20, "",
+        {"left": piston(1000, 1, 2)}, {"left": EXTRAPOLATED},
+    )
+    case.replace("constant/acousticProperties", f"SPL {LEVEL}", "SPL 190")
+    log = case.run("acousticDEMFoam", status=1)
+    assert "A level of 190 dB is out of reach" in log
+    assert "at a mean pressure of" in log
+
+
 def test_does_not_depend_on_the_ranks(tmp_path):
     """Ranks with and without the source, the point, the maximum."""
 

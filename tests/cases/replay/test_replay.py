@@ -91,7 +91,7 @@ def fixture_solved(tmp_path_factory):
 
 @pytest.fixture(scope="module", name="replayed")
 def fixture_replayed(tmp_path_factory):
-    case = tube(tmp_path_factory.mktemp("replayed")/"case", 20, UNTIL)
+    case = tube(tmp_path_factory.mktemp("replayed")/"case", 20, UNTIL, LEVEL)
     case.run("acousticDEMFoam")
     return case
 
@@ -140,6 +140,7 @@ def test_the_solver_has_ended(replayed):
 
     # U is what it should be at the time that is written
     angle = 2*np.pi*FREQUENCY*float(time.name)
+    assert in_cells(time/"UCos1").any()
     U = sum(
         factor*in_cells(time/name)
         for name, factor in (
