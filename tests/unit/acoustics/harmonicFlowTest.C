@@ -34,7 +34,7 @@ vector exact(const vector& x, const double t)
     return vector
     (
         1.5*std::sin(k*x.x())*std::sin(angle + 0.7) + 0.003,
-        0.06*std::sin(2*k*x.x())*std::cos(2*angle),
+        0.06*std::sin(2*k*x.x())*std::cos(2*angle + 0.4),
         0
     );
 }
