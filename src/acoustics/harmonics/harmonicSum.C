@@ -45,6 +45,7 @@ Foam::acoustics::harmonicSum<Type>::harmonicSum
     lastTime_(0),
     beforeTime_(0),
     nValues_(0),
+    gap_(false),
     whole_(false),
     sums_(quadrature_.size()),
     result_(quadrature_.size()),
@@ -82,6 +83,24 @@ bool Foam::acoustics::harmonicSum<Type>::add
     }
 
     const scalar h = t - lastTime_;
+
+    // A second one in a row is no gap, but a step that is refused below
+    const bool gapBefore = gap_;
+    gap_ = h > 0.5*quadrature_.period();
+
+    if (gap_ && !gapBefore)
+    {
+        for (Field<Type>& s : sums_)
+        {
+            s = Zero;
+        }
+        last_ = y;
+        lastTime_ = t;
+        nValues_ = 1;
+        whole_ = false;
+        return false;
+    }
+
     Field<Type> slope((y - last_)/h);
 
     if (nValues_ == 1)

@@ -195,16 +195,23 @@ void Foam::acoustics::untilPeriodic::handOver()
         << amplitude << " m/s" << nl
         << "    From here on the sound is replayed" << endl;
 
-    // The solver and its fields
-    solved_.reset(nullptr);
+    replaying_ = true;
+    handOver_ = mesh_.time().value();
 
-    // The thermodynamics leave their temperature behind
-    if (auto* T = mesh_.getObjectPtr<volScalarField>("T"))
+    if (!resolveEvery_)
     {
-        T->checkOut();
+        // The solver and its fields
+        solved_.reset(nullptr);
+
+        // The thermodynamics leave their temperature behind
+        if (auto* T = mesh_.getObjectPtr<volScalarField>("T"))
+        {
+            T->checkOut();
+        }
     }
 
     state_.set("frequency", frequency());
+    state_.set("handOver", handOver_);
     state_.set("expectedAmplitude", expectedAmplitude_);
     dictionary gas;
     gas.add("rho", gas_.rho);
@@ -216,6 +223,23 @@ void Foam::acoustics::untilPeriodic::handOver()
     state_.writeOpt() = IOobject::AUTO_WRITE;
 
     makeFields();
+}
+
+
+void Foam::acoustics::untilPeriodic::resume()
+{
+    Info<< "Sound, period "
+        << label(std::lround((handOver_*frequency()) + resolveEvery_))
+        << ": solved again" << endl;
+
+    replaying_ = false;
+    nSteady_ = 0;
+    before_.clear();
+
+    // A restart in between solves
+    fields_.clear();
+    flow_.reset();
+    state_.writeOpt() = IOobject::NO_WRITE;
 }
 
 
@@ -247,7 +271,10 @@ void Foam::acoustics::untilPeriodic::makeFields()
         fields_.set(i, make(harmonicFlow::name(i), terms[i]));
     }
 
-    U_.reset(make("U", flow_->inCells(mesh_.time().value())));
+    if (!solved_)
+    {
+        U_.reset(make("U", flow_->inCells(mesh_.time().value())));
+    }
 }
 
 
@@ -273,6 +300,7 @@ Foam::acoustics::untilPeriodic::untilPeriodic
     (
         readPositive(dict, "harmonicTolerance", dimless, 1e-3)
     ),
+    resolveEvery_(dict.lookupOrDefault<label>("resolveEvery", 0)),
     state_
     (
         IOobject
@@ -288,6 +316,8 @@ Foam::acoustics::untilPeriodic::untilPeriodic
     expectedAmplitude_(-1),
     sum_(frequency(), dict.lookupOrDefault<label>("harmonics", 5)),
     nSteady_(0),
+    replaying_(state_.size()),
+    handOver_(0),
     endOfComparison_(0),
     nCompared_(0),
     squares_(0),
@@ -297,8 +327,25 @@ Foam::acoustics::untilPeriodic::untilPeriodic
     (
         dict,
         {"type", "solve", "tolerance", "startTime", "harmonics",
-         "harmonicTolerance"}
+         "harmonicTolerance", "resolveEvery"}
     );
+
+    if (resolveEvery_ < 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'resolveEvery' of " << dict.name() << " is "
+            << resolveEvery_ << ", but it must be a number of periods, or 0"
+            << " for never" << exit(FatalIOError);
+    }
+
+    const scalar steps = 1/(frequency()*mesh.time().deltaTValue());
+    if (resolveEvery_ && mag(steps - std::round(steps)) > 1e-5*steps)
+    {
+        FatalIOErrorInFunction(dict)
+            << "A sound that is solved again goes on where it was in the"
+            << " period: with resolveEvery the time step must fit the period,"
+            << " which has " << steps << " of them" << exit(FatalIOError);
+    }
 
     if (sum_.nHarmonics() < 1)
     {
@@ -308,7 +355,7 @@ Foam::acoustics::untilPeriodic::untilPeriodic
             << exit(FatalIOError);
     }
 
-    if (state_.size())
+    if (replaying_)
     {
         if (readPositive(state_, "frequency", dimless/dimTime) != frequency())
         {
@@ -320,15 +367,20 @@ Foam::acoustics::untilPeriodic::untilPeriodic
 
         gas_ = gasProperties::read(state_.subDict("gas"));
         expectedAmplitude_ = state_.get<scalar>("expectedAmplitude");
+        handOver_ = state_.get<scalar>("handOver");
         state_.writeOpt() = IOobject::AUTO_WRITE;
 
         makeFlow(harmonicFlow::read(mesh, mesh.time().timeName()));
-        makeFields();
 
         Info<< "    replayed, as at the end of the last run: "
             << frequency() << " Hz, " << flow_->nHarmonics()
             << " harmonics with the fundamental" << endl;
-        return;
+
+        if (!resolveEvery_)
+        {
+            makeFields();
+            return;
+        }
     }
 
     const dictionary& solve = dict.subDict("solve");
@@ -353,6 +405,12 @@ Foam::acoustics::untilPeriodic::untilPeriodic
     gas_ = solved_->gas();
     expectedAmplitude_ = solved_->expectedAmplitude();
 
+    if (replaying_)
+    {
+        makeFields();
+        return;
+    }
+
     // The state at the start belongs to the first period
     sum_.add(mesh.time().value(), solvedVelocity());
 }
@@ -365,7 +423,8 @@ Foam::acoustics::untilPeriodic::~untilPeriodic() = default;
 
 Foam::scalar Foam::acoustics::untilPeriodic::velocityAmplitude() const
 {
-    return solved_ ? solved_->velocityAmplitude() : flow_->largestSpeed();
+    return
+        replaying_ ? flow_->largestSpeed() : solved_->velocityAmplitude();
 }
 
 
@@ -386,7 +445,21 @@ void Foam::acoustics::untilPeriodic::prepare(const boundBox& region)
 
 void Foam::acoustics::untilPeriodic::advance()
 {
-    if (solved_)
+    const scalar begin =
+        mesh_.time().value() - mesh_.time().deltaTValue();
+    const scalar rest = resolveEvery_/frequency();
+
+    if
+    (
+        replaying_
+     && resolveEvery_
+     && begin > handOver_ + rest - 0.5*mesh_.time().deltaTValue()
+    )
+    {
+        resume();
+    }
+
+    if (!replaying_)
     {
         solved_->advance();
 
@@ -399,7 +472,7 @@ void Foam::acoustics::untilPeriodic::advance()
             endPeriod();
         }
     }
-    else if (mesh_.time().writeTime())
+    else if (U_ && mesh_.time().writeTime())
     {
         U_->primitiveFieldRef() = flow_->inCells(mesh_.time().value());
         U_->correctBoundaryConditions();
@@ -414,13 +487,13 @@ void Foam::acoustics::untilPeriodic::velocity
     vectors& u
 ) const
 {
-    if (solved_)
+    if (replaying_)
     {
-        solved_->velocity(t, x, u);
+        flow_->velocity(t, x, u);
     }
     else
     {
-        flow_->velocity(t, x, u);
+        solved_->velocity(t, x, u);
     }
 }
 

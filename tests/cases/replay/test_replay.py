@@ -193,6 +193,39 @@ def test_restart_replays(tmp_path, replayed, ranks):
     )
 
 
+def test_solves_again(tmp_path, solved):
+    """The solver goes on where it was, and finds the same sound."""
+    case = tube(tmp_path/"case", 10, f"{UNTIL} resolveEvery 5;")
+    first = case.run("acousticDEMFoam")
+    case.replace("system/controlDict", "10.0/", "20.0/")
+    log = case.run("acousticDEMFoam")[len(first):]
+
+    # Interrupted in the replay, solved again, replayed again
+    assert "From here on" in first and "solved again" not in first
+    assert "replayed, as at the end of the last run" in log
+    assert "solved again" in log and "From here on" in log
+    rms, most, amplitude = (
+        float(x) for x in re.search(REPLAYED, log).groups()
+    )
+    print(f"solved again: {rms} % rms, {most} % at most")
+    assert most < 0.1
+    again = re.search(r"solved again(.*?)From here", log, re.S).group(1)
+    changes = [float(x) for x in re.findall(r"changed by (\S+) %", again)]
+    assert changes[0] == 100 and max(changes[1:]) < 0.1
+
+    a, b = last(case), last(solved)
+    assert abs(a["U"] - b["U"]).max() < 1e-3*amplitude
+
+
+def test_solves_again_only_at_steps_that_fit(tmp_path):
+    case = tube(tmp_path/"case", 1, f"{UNTIL} resolveEvery 5;")
+    case.replace(
+        "system/controlDict", "stepsPerPeriod +100", "stepsPerPeriod 100.5"
+    )
+    log = case.run("acousticDEMFoam", status=1)
+    assert "the time step must fit the period" in log
+
+
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_another_case_replays(tmp_path, replayed, ranks):
     """Another mesh, from time 0: small particles show the velocity."""

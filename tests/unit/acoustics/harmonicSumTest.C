@@ -261,6 +261,37 @@ TEST(harmonicSum, leavesOutAPeriodThatBeganBeforeTheFirstValue)
 }
 
 
+TEST(harmonicSum, beginsAnewAfterAGap)
+{
+    const tones y = pure();
+    harmonicSum<scalar> sum(frequency, 1);
+
+    const auto feed = [&](const double from, const double to)
+    {
+        for (int i = std::lround(50*from); i <= std::lround(50*to); ++i)
+        {
+            const double t = i/(50*frequency);
+            sum.add(t, scalarField(1, y(t)));
+        }
+    };
+
+    feed(0, 1.5);
+    EXPECT_EQ(sum.nPeriods(), 1);
+
+    // The period of the gap and the one in which it ends are left out
+    feed(7.5, 8.9);
+    EXPECT_EQ(sum.nPeriods(), 1);
+    feed(8.92, 9);
+    EXPECT_EQ(sum.nPeriods(), 2);
+    EXPECT_NEAR(sum.end(), 9/frequency, 1e-9/frequency);
+    EXPECT_NEAR(sum.sine(1)[0], y.sine[0], 1e-4);
+
+    // Always as far apart: no gaps, but steps that are too long
+    EXPECT_FALSE(sum.add(10/frequency, scalarField(1, 0.0)));
+    EXPECT_THROW(sum.add(11/frequency, scalarField(1, 0.0)), Foam::error);
+}
+
+
 TEST(harmonicSum, refusesStepsThatAreTooLong)
 {
     harmonicSum<scalar> sum(frequency, 3);
