@@ -88,7 +88,8 @@ Foam::acoustics::compressibleSound::compressibleSound
     requireOnly
     (
         dict,
-        {"type", "frequency", "SPL", "velocityAmplitude", "logSolvers"}
+        {"type", "frequency", "SPL", "velocityAmplitude", "logSolvers",
+         "control"}
     );
 
     mesh.setFluxRequired(p_.name());

@@ -158,6 +158,20 @@ Foam::vectorField Foam::acoustics::explicitCompressibleSound::forces()
         }
     }
 
+    if (coupled_)
+    {
+        const vectorField& ofAerosol =
+            mesh_.lookupObject<volVectorField>("aerosolForce")
+           .primitiveField();
+
+        inertia_ =
+            mesh_.lookupObject<volScalarField>("aerosolInertia")
+           .primitiveField();
+
+        force.setSize(mesh_.nCells(), Zero);
+        force += ofAerosol;
+    }
+
     return force;
 }
 
@@ -235,31 +249,66 @@ void Foam::acoustics::explicitCompressibleSound::stage
         return c[k][i] - duration*perVolume[i]*out;
     };
 
-    #pragma GCC ivdep
-    for (label i = 0; i < n; ++i)
+    // Of inert bodies that take part in a change of the velocity
+    const scalar* const inertia = inertia_.cdata();
+
+    const auto advanceAll = [&](const auto withInertia)
     {
-        const scalar rho = advance(i, 0);
-        const scalar x = advance(i, 1);
-        const scalar y = advance(i, 2);
-        const scalar z = advance(i, 3);
-        const scalar E = advance(i, 4);
-
-        const scalar perRho = 1/rho;
-
-        q[0][i] = rho;
-        q[1][i] = x*perRho;
-        q[2][i] = y*perRho;
-        q[3][i] = z*perRho;
-        q[4][i] = gammaMinus1*(E - 0.5*perRho*(x*x + y*y + z*z));
-
-        if (last)
+        #pragma GCC ivdep
+        for (label i = 0; i < n; ++i)
         {
-            c[0][i] = rho;
-            c[1][i] = x;
-            c[2][i] = y;
-            c[3][i] = z;
-            c[4][i] = E;
+            const scalar rho = advance(i, 0);
+            scalar x = advance(i, 1);
+            scalar y = advance(i, 2);
+            scalar z = advance(i, 3);
+            scalar E = advance(i, 4);
+
+            const scalar perRho = 1/rho;
+
+            if (withInertia)
+            {
+                const scalar C = inertia[i];
+                const scalar per0 = 1/c[0][i];
+                const scalar u0 = per0*c[1][i];
+                const scalar v0 = per0*c[2][i];
+                const scalar w0 = per0*c[3][i];
+                const scalar share = rho/(rho + C);
+
+                x = share*(x + C*u0);
+                y = share*(y + C*v0);
+                z = share*(z + C*w0);
+                E -=
+                    0.5*C
+                   *(
+                        sqr(perRho)*(x*x + y*y + z*z)
+                      - (u0*u0 + v0*v0 + w0*w0)
+                    );
+            }
+
+            q[0][i] = rho;
+            q[1][i] = x*perRho;
+            q[2][i] = y*perRho;
+            q[3][i] = z*perRho;
+            q[4][i] = gammaMinus1*(E - 0.5*perRho*(x*x + y*y + z*z));
+
+            if (last)
+            {
+                c[0][i] = rho;
+                c[1][i] = x;
+                c[2][i] = y;
+                c[3][i] = z;
+                c[4][i] = E;
+            }
         }
+    };
+
+    if (inertia_.size())
+    {
+        advanceAll(std::true_type());
+    }
+    else
+    {
+        advanceAll(std::false_type());
     }
 
     // What has gone into ghosts is of no use
@@ -323,12 +372,13 @@ Foam::acoustics::explicitCompressibleSound::explicitCompressibleSound
     perVolume_(mesh.nCells()),
     finest_(0),
     fastest_(0),
-    mostParts_(0)
+    mostParts_(0),
+    coupled_(false)
 {
     requireOnly
     (
         dict,
-        {"type", "frequency", "SPL", "velocityAmplitude", "force"}
+        {"type", "frequency", "SPL", "velocityAmplitude", "force", "control"}
     );
 
     const centralFluxes::gas& constants = fluxes_.properties();
@@ -418,6 +468,7 @@ void Foam::acoustics::explicitCompressibleSound::step()
     }
 
     const vectorField force(forces());
+    const vectorField U0(coupled_ ? U_.primitiveField() : vectorField());
 
     for (label part = 0; part < n; ++part)
     {
@@ -441,6 +492,14 @@ void Foam::acoustics::explicitCompressibleSound::step()
     stencils_.exchange(q_);
     boundary_.fill(1, q_);
     store();
+
+    if (coupled_)
+    {
+        // What the gas got
+        mesh_.lookupObjectRef<volVectorField>("aerosolForce")
+       .primitiveFieldRef() -=
+            inertia_*(U_.primitiveField() - U0)/mesh_.time().deltaTValue();
+    }
 }
 
 

@@ -7,6 +7,7 @@
 
 #include "checkedEntry.H"
 #include "fvMesh.H"
+#include "levelControl.H"
 #include "mathematicalConstants.H"
 #include "regionSampler.H"
 #include "simplifiedFvMesh.H"
@@ -133,6 +134,21 @@ Foam::acoustics::meshSound::meshSound
 
         Info<< "    expected level " << level << endl;
     }
+
+    if (dict.found("control"))
+    {
+        control_.reset
+        (
+            new levelControl
+            (
+                mesh,
+                dict.subDict("control"),
+                frequency(),
+                soundLevel::read(dict, gas_).pRms(),
+                gas_.c
+            )
+        );
+    }
 }
 
 
@@ -188,6 +204,11 @@ void Foam::acoustics::meshSound::advance()
     for (const auto& sampler : samplers_)
     {
         sampler->advance(U_);
+    }
+
+    if (control_)
+    {
+        control_->advance();
     }
 }
 

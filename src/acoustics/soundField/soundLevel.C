@@ -87,8 +87,16 @@ Foam::scalar Foam::acoustics::soundLevel::pRms() const
 
 Foam::scalar Foam::acoustics::soundLevel::SPL() const
 {
+    return SPL(pRms());
+}
+
+
+Foam::scalar Foam::acoustics::soundLevel::SPL(const scalar pRms)
+{
     // Silence is a level of minus infinity, which cannot be printed
-    return 20*std::log10(std::max(pRms(), VSMALL)/pReference);
+    constexpr scalar silence = 1e-10;
+
+    return 20*std::log10(std::max(pRms, silence)/pReference);
 }
 
 

@@ -15,6 +15,7 @@ SHORTER = {
     "antinodeAndNode": {"40.0": "1.0"},
     "flyAshChamber": {"100.0": "2.0", "59.999": "0.999", "60.001": "1.001"},
     "isolatedParticle": {"3.0": "2.0"},
+    "resonantChamber": {"80.0": "2.01"},
     "standingWaveTube": {"10.0": "1.1"},
 }
 
@@ -23,6 +24,7 @@ PICTURES = {
     "antinodeAndNode": {"antinodeAndNode.png"},
     "flyAshChamber": {"soundLevel.png", "agglomeration.png"},
     "isolatedParticle": {"isolatedParticle.png"},
+    "resonantChamber": {"resonantChamber.png"},
     "standingWaveTube": {"standingWaveTube.png"},
 }
 

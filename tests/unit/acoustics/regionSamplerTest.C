@@ -6,15 +6,12 @@
 // The gas velocity between the cells' centres: how close it comes to a known
 // field, and where it must be exact.
 
+#include "block.H"
 #include "polynomialFit.H"
 #include "regionSampler.H"
 #include "velocityLattice.H"
 
-#include "cellModel.H"
 #include "error.H"
-#include "OSspecific.H"
-#include "polyMesh.H"
-#include "Time.H"
 
 #include <gtest/gtest.h>
 
@@ -29,117 +26,6 @@ namespace
 {
 
 constexpr double pi = 3.14159265358979323846;
-
-//- A block of cells from the origin, with the given size and number of cells
-class block
-{
-    fileName dir_;
-
-    std::unique_ptr<Time> runTime_;
-
-public:
-
-    std::unique_ptr<polyMesh> mesh;
-
-    block(const Vector<label>& n, const vector& size)
-    {
-        char name[] = "/tmp/regionSamplerTestXXXXXX";
-        dir_ = mkdtemp(name);
-
-        dictionary controlDict;
-        controlDict.add("deltaT", 1);
-        controlDict.add("endTime", 1);
-        controlDict.add("writeInterval", 1);
-
-        runTime_.reset
-        (
-            new Time
-            (
-                controlDict,
-                dir_.path(),
-                dir_.name(),
-                "system",
-                "constant",
-                false,
-                false
-            )
-        );
-
-        const auto vertex = [&](const label i, const label j, const label k)
-        {
-            return i + (n.x() + 1)*(j + (n.y() + 1)*k);
-        };
-
-        pointField points(vertex(n.x(), n.y(), n.z()) + 1);
-        for (label k = 0; k <= n.z(); ++k)
-        {
-            for (label j = 0; j <= n.y(); ++j)
-            {
-                for (label i = 0; i <= n.x(); ++i)
-                {
-                    points[vertex(i, j, k)] = vector
-                    (
-                        size.x()*i/n.x(), size.y()*j/n.y(), size.z()*k/n.z()
-                    );
-                }
-            }
-        }
-
-        cellShapeList cells(n.x()*n.y()*n.z());
-        label celli = 0;
-        for (label k = 0; k < n.z(); ++k)
-        {
-            for (label j = 0; j < n.y(); ++j)
-            {
-                for (label i = 0; i < n.x(); ++i)
-                {
-                    cells[celli++] = cellShape
-                    (
-                        cellModel::ref(cellModel::HEX),
-                        labelList
-                        ({
-                            vertex(i, j, k), vertex(i+1, j, k),
-                            vertex(i+1, j+1, k), vertex(i, j+1, k),
-                            vertex(i, j, k+1), vertex(i+1, j, k+1),
-                            vertex(i+1, j+1, k+1), vertex(i, j+1, k+1)
-                        })
-                    );
-                }
-            }
-        }
-
-        mesh.reset
-        (
-            new polyMesh
-            (
-                IOobject
-                (
-                    polyMesh::defaultRegion,
-                    runTime_->constant(),
-                    *runTime_,
-                    IOobject::NO_READ,
-                    IOobject::NO_WRITE
-                ),
-                std::move(points),
-                cells,
-                faceListList(),
-                wordList(),
-                wordList(),
-                "walls",
-                "wall",
-                wordList()
-            )
-        );
-    }
-
-    ~block()
-    {
-        mesh.reset();
-        runTime_.reset();
-        rmDir(dir_);
-    }
-};
-
 
 using field = std::function<vector(const vector&)>;
 

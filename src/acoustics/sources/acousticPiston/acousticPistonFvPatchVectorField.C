@@ -7,11 +7,8 @@
 
 #include "addToRunTimeSelectionTable.H"
 #include "checkedEntry.H"
-#include "mathematicalConstants.H"
+#include "driveFactor.H"
 #include "volFields.H"
-
-#include <cmath>
-#include <limits>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -24,57 +21,37 @@ namespace acoustics
 }
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-void Foam::acoustics::acousticPistonFvPatchVectorField::count(const scalar t)
+namespace
 {
-    const scalar t0 = max(countedTime_, startTime_);
 
-    if (t > t0)
-    {
-        // Simpson's rule: not every Function1 knows its integral
-        periods_ +=
-            (t - t0)/6
-           *(
-                frequency_->value(t0)
-              + 4*frequency_->value(0.5*(t0 + t))
-              + frequency_->value(t)
-            );
-    }
-
-    countedTime_ = t;
-}
-
-
-Foam::scalar Foam::acoustics::acousticPistonFvPatchVectorField::speed
+Foam::acoustics::oscillation readSpeed
 (
-    const scalar t
-) const
+    const Foam::dictionary& dict,
+    const Foam::scalar now
+)
 {
-    using constant::mathematical::pi;
-    using constant::mathematical::twoPi;
+    const bool displacement = dict.found("displacementAmplitude");
 
-    if (t < startTime_)
+    if (displacement == dict.found("velocityAmplitude"))
     {
-        return 0;
+        FatalIOErrorInFunction(dict)
+            << "Give exactly one of the entries velocityAmplitude (m/s, peak)"
+            << " and displacementAmplitude (m, peak)"
+            << exit(Foam::FatalIOError);
     }
 
-    const scalar ramp =
-        periods_ < rampPeriods_
-      ? 0.5*(1 - std::cos(pi*periods_/rampPeriods_))
-      : 1;
-
-    scalar amplitude = amplitude_->value(t);
-    if (amplitudeIsDisplacement_)
-    {
-        amplitude *= twoPi*frequency_->value(t);
-    }
-
-    // Whole periods are taken off before they cost digits
-    const scalar angle = twoPi*(periods_ - std::floor(periods_)) + phase_;
-
-    return ramp*amplitude*std::sin(angle);
+    return Foam::acoustics::oscillation
+    (
+        dict,
+        displacement ? "displacementAmplitude" : "velocityAmplitude",
+        now,
+        displacement
+    );
 }
+
+} // End anonymous namespace
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -87,13 +64,7 @@ acousticPistonFvPatchVectorField
 )
 :
     fixedValueFvPatchVectorField(p, iF),
-    amplitudeIsDisplacement_(false),
-    phase_(0),
-    rampPeriods_(0),
-    startTime_(0),
-    direction_(Zero),
-    periods_(0),
-    countedTime_(0)
+    direction_(Zero)
 {}
 
 
@@ -106,45 +77,9 @@ acousticPistonFvPatchVectorField
 )
 :
     fixedValueFvPatchVectorField(p, iF, dict, false),
-    amplitudeIsDisplacement_(dict.found("displacementAmplitude")),
-    frequency_(Function1<scalar>::New("frequency", dict)),
-    phase_(dict.found("phase") ? readFinite(dict, "phase", dimless) : 0),
-    rampPeriods_(readNonNegative(dict, "rampPeriods", dimless, 0)),
-    startTime_
-    (
-        dict.found("startTime") ? readFinite(dict, "startTime", dimTime) : 0
-    ),
-    direction_(Zero),
-    periods_(dict.lookupOrDefault<scalar>("periods", 0)),
-    countedTime_(dict.lookupOrDefault<scalar>("countedTime", startTime_))
+    speed_(readSpeed(dict, db().time().timeOutputValue())),
+    direction_(Zero)
 {
-    if (amplitudeIsDisplacement_ == dict.found("velocityAmplitude"))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Give exactly one of the entries velocityAmplitude (m/s, peak)"
-            << " and displacementAmplitude (m, peak)"
-            << exit(FatalIOError);
-    }
-
-    amplitude_ = Function1<scalar>::New
-    (
-        amplitudeIsDisplacement_
-      ? "displacementAmplitude"
-      : "velocityAmplitude",
-        dict
-    );
-
-    const scalar now = db().time().timeOutputValue();
-
-    if (frequency_->value(max(now, startTime_)) <= 0)
-    {
-        FatalIOErrorInFunction(dict)
-            << "The frequency of the piston is "
-            << frequency_->value(max(now, startTime_))
-            << " Hz, but it must be positive"
-            << exit(FatalIOError);
-    }
-
     if (dict.found("direction"))
     {
         direction_ = readDirection(dict, "direction", Zero);
@@ -169,15 +104,8 @@ acousticPistonFvPatchVectorField
 )
 :
     fixedValueFvPatchVectorField(ptf, p, iF, mapper),
-    amplitude_(ptf.amplitude_.clone()),
-    amplitudeIsDisplacement_(ptf.amplitudeIsDisplacement_),
-    frequency_(ptf.frequency_.clone()),
-    phase_(ptf.phase_),
-    rampPeriods_(ptf.rampPeriods_),
-    startTime_(ptf.startTime_),
-    direction_(ptf.direction_),
-    periods_(ptf.periods_),
-    countedTime_(ptf.countedTime_)
+    speed_(ptf.speed_),
+    direction_(ptf.direction_)
 {}
 
 
@@ -199,15 +127,8 @@ acousticPistonFvPatchVectorField
 )
 :
     fixedValueFvPatchVectorField(ptf, iF),
-    amplitude_(ptf.amplitude_.clone()),
-    amplitudeIsDisplacement_(ptf.amplitudeIsDisplacement_),
-    frequency_(ptf.frequency_.clone()),
-    phase_(ptf.phase_),
-    rampPeriods_(ptf.rampPeriods_),
-    startTime_(ptf.startTime_),
-    direction_(ptf.direction_),
-    periods_(ptf.periods_),
-    countedTime_(ptf.countedTime_)
+    speed_(ptf.speed_),
+    direction_(ptf.direction_)
 {}
 
 
@@ -220,17 +141,16 @@ void Foam::acoustics::acousticPistonFvPatchVectorField::updateCoeffs()
         return;
     }
 
-    const scalar t = db().time().timeOutputValue();
-
-    count(t);
+    const scalar speed =
+        driveFactor::of(patch())*speed_.value(db().time().timeOutputValue());
 
     if (magSqr(direction_) > 0)
     {
-        operator==(vectorField(size(), speed(t)*direction_));
+        operator==(vectorField(size(), speed*direction_));
     }
     else
     {
-        operator==(-speed(t)*patch().nf());
+        operator==(-speed*patch().nf());
     }
 
     fixedValueFvPatchVectorField::updateCoeffs();
@@ -244,25 +164,11 @@ void Foam::acoustics::acousticPistonFvPatchVectorField::write
 {
     fvPatchVectorField::write(os);
 
-    amplitude_->writeData(os);
-    frequency_->writeData(os);
-    os.writeEntry("phase", phase_);
-    os.writeEntry("rampPeriods", rampPeriods_);
-    os.writeEntry("startTime", startTime_);
+    speed_.write(os);
     if (magSqr(direction_) > 0)
     {
         os.writeEntry("direction", direction_);
     }
-
-    // In full, or the phase would jump at a restart
-    const int precision = os.precision
-    (
-        std::numeric_limits<scalar>::max_digits10
-    );
-    os.writeEntry("periods", periods_);
-    os.writeEntry("countedTime", countedTime_);
-    os.precision(precision);
-
     writeEntry("value", os);
 }
 

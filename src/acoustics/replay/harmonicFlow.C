@@ -1,0 +1,265 @@
+/*---------------------------------------------------------------------------*\
+    acousticDEM: acoustic agglomeration of aerosols
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "harmonicFlow.H"
+
+#include "cellField.H"
+#include "localIOdictionary.H"
+#include "mathematicalConstants.H"
+#include "polyMesh.H"
+#include "Time.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+std::vector<Foam::scalar> Foam::acoustics::harmonicFlow::factors
+(
+    const scalar t
+) const
+{
+    const scalar periods = t*frequency_;
+    const scalar angle =
+        constant::mathematical::twoPi*(periods - std::floor(periods));
+
+    std::vector<scalar> result({1});
+    for (label k = 1; k <= nHarmonics(); ++k)
+    {
+        result.push_back(std::cos(k*angle));
+        result.push_back(std::sin(k*angle));
+    }
+    return result;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::acoustics::harmonicFlow::harmonicFlow
+(
+    const polyMesh& mesh,
+    const scalar frequency,
+    const terms& t
+)
+:
+    mesh_(mesh),
+    frequency_(frequency),
+    terms_(t)
+{}
+
+
+// * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
+
+Foam::word Foam::acoustics::harmonicFlow::name(const label term)
+{
+    if (term == 0)
+    {
+        return "UMean";
+    }
+
+    return (term % 2 ? "UCos" : "USin") + std::to_string((term + 1)/2);
+}
+
+
+Foam::acoustics::harmonicFlow::terms
+Foam::acoustics::harmonicFlow::significant
+(
+    const harmonicSum<vector>& sum,
+    const scalar tolerance
+)
+{
+    label n = 1;
+    scalar fundamental = 0;
+
+    for (label k = 1; k <= sum.nHarmonics(); ++k)
+    {
+        scalar largest = 0;
+        forAll(sum.cosine(k), celli)
+        {
+            largest =
+                max(largest, peak(sum.cosine(k)[celli], sum.sine(k)[celli]));
+        }
+        reduce(largest, maxOp<scalar>());
+
+        if (k == 1)
+        {
+            fundamental = largest;
+        }
+        if (largest > tolerance*fundamental)
+        {
+            n = k;
+        }
+    }
+
+    terms result(2*n + 1);
+    result[0] = sum.mean();
+    for (label k = 1; k <= n; ++k)
+    {
+        result[2*k - 1] = sum.cosine(k);
+        result[2*k] = sum.sine(k);
+    }
+    return result;
+}
+
+
+Foam::acoustics::harmonicFlow::terms
+Foam::acoustics::harmonicFlow::read
+(
+    const polyMesh& mesh,
+    const word& time
+)
+{
+    DynamicList<vectorField> result;
+
+    while (true)
+    {
+        IOobject io
+        (
+            name(result.size()),
+            time,
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        );
+
+        // The mean and at least one harmonic must be there
+        bool found = isFile(io.objectPath());
+        reduce(found, andOp<bool>());
+
+        if (!found)
+        {
+            if (result.size() < 3)
+            {
+                FatalErrorInFunction
+                    << "There is no field " << io.objectPath()
+                    << " to be replayed" << nl
+                    << "It is written by the sound untilPeriodic, and by the"
+                    << " function object soundPressureLevel with coefficients"
+                    << " yes" << exit(FatalError);
+            }
+            break;
+        }
+
+        // Of the file only the values in the cells: no boundary conditions
+        const localIOdictionary dict(io, "volVectorField");
+        result.append(vectorField("internalField", dict, mesh.nCells()));
+    }
+
+    // A sine without its cosine, or the other way round, is not read
+    result.setSize(2*((result.size() - 1)/2) + 1);
+
+    return terms(result);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::acoustics::harmonicFlow::largestSpeed() const
+{
+    scalar largest = 0;
+
+    forAll(terms_[0], celli)
+    {
+        scalar speed = mag(terms_[0][celli]);
+        for (label k = 1; k <= nHarmonics(); ++k)
+        {
+            speed += peak(terms_[2*k - 1][celli], terms_[2*k][celli]);
+        }
+        largest = max(largest, speed);
+    }
+    reduce(largest, maxOp<scalar>());
+
+    return largest;
+}
+
+
+Foam::vectorField Foam::acoustics::harmonicFlow::inCells(const scalar t) const
+{
+    const std::vector<scalar> factor = factors(t);
+
+    vectorField result(terms_[0]);
+    for (label i = 1; i < terms_.size(); ++i)
+    {
+        result += factor[i]*terms_[i];
+    }
+    return result;
+}
+
+
+Foam::label Foam::acoustics::harmonicFlow::prepare(const boundBox& box)
+{
+    regions_.emplace_back();
+    region& r = regions_.back();
+
+    r.sampler.reset(new regionSampler(mesh_, box));
+    r.oldest = 0;
+
+    r.terms.resize(terms_.size());
+    forAll(terms_, i)
+    {
+        r.sampler->sample(terms_[i], r.terms[i]);
+    }
+
+    for (region::moment& m : r.moments)
+    {
+        m.t = VGREAT;
+    }
+
+    return regions_.size() - 1;
+}
+
+
+const Foam::acoustics::velocityLattice::values&
+Foam::acoustics::harmonicFlow::atNodes
+(
+    const label number,
+    const scalar t
+) const
+{
+    const region& r = regions_[number];
+
+    for (const region::moment& m : r.moments)
+    {
+        if (m.t == t)
+        {
+            return m.u;
+        }
+    }
+
+    region::moment& m = r.moments[r.oldest];
+    r.oldest = (r.oldest + 1) % r.moments.size();
+
+    const std::vector<scalar> factor = factors(t);
+
+    m.t = t;
+    m.u = r.terms[0];
+    for (size_t i = 1; i < r.terms.size(); ++i)
+    {
+        m.u += factor[i]*r.terms[i];
+    }
+    return m.u;
+}
+
+
+void Foam::acoustics::harmonicFlow::velocity
+(
+    const label region,
+    const scalar t,
+    const Eigen::Matrix3Xd& x,
+    Eigen::Matrix3Xd& u
+) const
+{
+    if (region >= label(regions_.size()))
+    {
+        FatalErrorInFunction
+            << "The gas velocity is asked for before a region was announced"
+            << exit(FatalError);
+    }
+
+    sampler(region).lattice().interpolate(atNodes(region, t), x, u);
+}
+
+
+// ************************************************************************* //

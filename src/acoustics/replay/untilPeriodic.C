@@ -1,0 +1,530 @@
+/*---------------------------------------------------------------------------*\
+    acousticDEM: acoustic agglomeration of aerosols
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "untilPeriodic.H"
+
+#include "addToRunTimeSelectionTable.H"
+#include "cellField.H"
+#include "checkedEntry.H"
+#include "levelControl.H"
+#include "selectModel.H"
+#include "volFields.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace acoustics
+{
+    defineTypeNameAndDebug(untilPeriodic, 0);
+    addToRunTimeSelectionTable(soundField, untilPeriodic, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+const Foam::vectorField&
+Foam::acoustics::untilPeriodic::solvedVelocity() const
+{
+    return mesh_.lookupObject<volVectorField>("U").primitiveField();
+}
+
+
+void Foam::acoustics::untilPeriodic::makeFlow
+(
+    const harmonicFlow::terms& terms
+)
+{
+    flow_.reset(new harmonicFlow(mesh_, frequency(), terms));
+
+    for (const boundBox& region : regions_)
+    {
+        flow_->prepare(region);
+    }
+}
+
+
+void Foam::acoustics::untilPeriodic::endPeriod()
+{
+    // All terms: the change does not depend on what is left out
+    const harmonicFlow::terms now(harmonicFlow::significant(sum_, 0));
+
+    scalar change = 1;
+    scalar changeOfMean = 1;
+    if (before_.size() == now.size())
+    {
+        scalar difference = 0;
+        scalar ofMean = 0;
+        scalar all = 0;
+        forAll(now, i)
+        {
+            forAll(now[i], celli)
+            {
+                const scalar V = mesh_.V()[celli];
+                difference += V*magSqr(now[i][celli] - before_[i][celli]);
+                all += V*magSqr(now[i][celli]);
+            }
+            if (i == 0)
+            {
+                ofMean = difference;
+            }
+        }
+        reduce(difference, sumOp<scalar>());
+        reduce(ofMean, sumOp<scalar>());
+        reduce(all, sumOp<scalar>());
+
+        change = std::sqrt(difference/max(all, VSMALL));
+        changeOfMean = std::sqrt(ofMean/max(all, VSMALL));
+    }
+    before_ = now;
+
+    nSteady_ = change < tolerance_ ? nSteady_ + 1 : 0;
+
+    Info<< "Sound, period " << label(std::lround(sum_.end()*frequency()))
+        << ": the velocity has changed by " << 100*change << " %, "
+        << 100*changeOfMean << " % by its mean" << endl;
+
+    const auto* control = mesh_.cfindObject<levelControl>("levelControl");
+    const bool periodic =
+        nSteady_ >= 2 && (!control || control->periodic());
+
+    if (periodic || sum_.end() > startTime_ - 1e-6/frequency())
+    {
+        makeFlow(harmonicFlow::significant(sum_, harmonicTolerance_));
+
+        Info<< "    The sound is "
+            << (periodic ? "periodic" : "taken for periodic")
+            << ": one more period is solved, and compared with its mean and "
+            << flow_->nHarmonics() << " harmonics" << endl;
+
+        endOfComparison_ = sum_.end() + 1/frequency();
+        nCompared_ = 0;
+        squares_ = 0;
+        largest_ = 0;
+    }
+}
+
+
+void Foam::acoustics::untilPeriodic::compare()
+{
+    const scalar t = mesh_.time().value();
+
+    scalar n = 0;
+    scalar squares = 0;
+    scalar largest = 0;
+
+    const auto add = [&](const scalar differenceSqr)
+    {
+        n += 1;
+        squares += differenceSqr;
+        largest = max(largest, std::sqrt(differenceSqr));
+    };
+
+    for (size_t region = 0; region < regions_.size(); ++region)
+    {
+        velocityLattice::values solved;
+        flow_->sampler(region).sample(solvedVelocity(), solved);
+
+        const velocityLattice::values difference =
+            solved - flow_->atNodes(region, t);
+
+        for (Eigen::Index node = 0; node < difference.cols(); ++node)
+        {
+            add(difference.col(node).head<3>().matrix().squaredNorm());
+        }
+    }
+
+    if (regions_.empty())
+    {
+        const vectorField difference(solvedVelocity() - flow_->inCells(t));
+        for (const vector& d : difference)
+        {
+            add(magSqr(d));
+        }
+    }
+
+    reduce(n, sumOp<scalar>());
+    reduce(squares, sumOp<scalar>());
+    reduce(largest, maxOp<scalar>());
+
+    nCompared_ += n;
+    squares_ += squares;
+    largest_ = max(largest_, largest);
+
+    if (t > endOfComparison_ - 1e-6/frequency())
+    {
+        handOver();
+    }
+}
+
+
+void Foam::acoustics::untilPeriodic::handOver()
+{
+    // The largest amplitude where the two have been compared
+    scalar amplitude = 0;
+    for (size_t region = 0; region < regions_.size(); ++region)
+    {
+        for (label i = 0; i < 24; ++i)
+        {
+            const scalar t =
+                mesh_.time().value() + i/(24*frequency());
+            amplitude = max
+            (
+                amplitude,
+                std::sqrt
+                (
+                    flow_->atNodes(region, t).topRows<3>().matrix()
+                   .colwise().squaredNorm().maxCoeff()
+                )
+            );
+        }
+    }
+    reduce(amplitude, maxOp<scalar>());
+
+    if (regions_.empty())
+    {
+        amplitude = flow_->largestSpeed();
+    }
+
+    const scalar perCent = 100/max(amplitude, VSMALL);
+
+    Info<< "    Over the last period the replay differs from what was solved"
+        << " by " << perCent*std::sqrt(squares_/nCompared_) << " % rms, and "
+        << perCent*largest_ << " % at most, of the velocity amplitude of "
+        << amplitude << " m/s" << nl
+        << "    From here on the sound is replayed" << endl;
+
+    replaying_ = true;
+    handOver_ = mesh_.time().value();
+
+    if (!resolveEvery_)
+    {
+        // The solver and its fields
+        solved_.reset(nullptr);
+
+        // The thermodynamics leave their temperature behind
+        if (auto* T = mesh_.getObjectPtr<volScalarField>("T"))
+        {
+            T->checkOut();
+        }
+    }
+
+    state_.set("frequency", frequency());
+    state_.set("handOver", handOver_);
+    state_.set("expectedAmplitude", expectedAmplitude_);
+    dictionary gas;
+    gas.add("rho", gas_.rho);
+    gas.add("mu", gas_.mu);
+    gas.add("T", gas_.T);
+    gas.add("c", gas_.c);
+    gas.add("meanFreePath", gas_.meanFreePath);
+    state_.set("gas", gas);
+    state_.writeOpt() = IOobject::AUTO_WRITE;
+
+    makeFields();
+}
+
+
+void Foam::acoustics::untilPeriodic::resume()
+{
+    Info<< "Sound, period "
+        << label(std::lround((handOver_*frequency()) + resolveEvery_))
+        << ": solved again" << endl;
+
+    replaying_ = false;
+    nSteady_ = 0;
+    before_.clear();
+
+    // A restart in between solves
+    fields_.clear();
+    flow_.reset();
+    state_.writeOpt() = IOobject::NO_WRITE;
+}
+
+
+void Foam::acoustics::untilPeriodic::makeFields()
+{
+    const auto make =
+        [this](const word& name, const vectorField& inCells)
+        {
+            volVectorField* field = cellField
+            (
+                name, mesh_, dimVelocity, inCells
+            ).ptr();
+            field->writeOpt() = IOobject::AUTO_WRITE;
+
+            // A function object may have made one of the same name
+            if (auto* other = mesh_.getObjectPtr<regIOobject>(name))
+            {
+                other->checkOut();
+            }
+            field->checkIn();
+            return field;
+        };
+
+    const harmonicFlow::terms& terms = flow_->inCells();
+
+    fields_.setSize(terms.size());
+    forAll(terms, i)
+    {
+        fields_.set(i, make(harmonicFlow::name(i), terms[i]));
+    }
+
+    if (!solved_)
+    {
+        U_.reset(make("U", flow_->inCells(mesh_.time().value())));
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::acoustics::untilPeriodic::untilPeriodic
+(
+    const fvMesh& mesh,
+    const dictionary& dict
+)
+:
+    soundField
+    (
+        readPositive(dict.subDict("solve"), "frequency", dimless/dimTime)
+    ),
+    mesh_(mesh),
+    tolerance_(readPositive(dict, "tolerance", dimless, 1e-3)),
+    startTime_
+    (
+        dict.found("startTime") ? readFinite(dict, "startTime", dimTime) : GREAT
+    ),
+    harmonicTolerance_
+    (
+        readPositive(dict, "harmonicTolerance", dimless, 1e-3)
+    ),
+    resolveEvery_(dict.lookupOrDefault<label>("resolveEvery", 0)),
+    state_
+    (
+        IOobject
+        (
+            "replay",
+            mesh.time().timeName(),
+            "uniform",
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE
+        )
+    ),
+    expectedAmplitude_(-1),
+    sum_(frequency(), dict.lookupOrDefault<label>("harmonics", 5)),
+    nSteady_(0),
+    replaying_(state_.size()),
+    handOver_(0),
+    endOfComparison_(0),
+    nCompared_(0),
+    squares_(0),
+    largest_(0)
+{
+    requireOnly
+    (
+        dict,
+        {"type", "solve", "tolerance", "startTime", "harmonics",
+         "harmonicTolerance", "resolveEvery"}
+    );
+
+    if (resolveEvery_ < 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'resolveEvery' of " << dict.name() << " is "
+            << resolveEvery_ << ", but it must be a number of periods, or 0"
+            << " for never" << exit(FatalIOError);
+    }
+
+    const scalar steps = 1/(frequency()*mesh.time().deltaTValue());
+    if (resolveEvery_ && mag(steps - std::round(steps)) > 1e-5*steps)
+    {
+        FatalIOErrorInFunction(dict)
+            << "A sound that is solved again goes on where it was in the"
+            << " period: with resolveEvery the time step must fit the period,"
+            << " which has " << steps << " of them" << exit(FatalIOError);
+    }
+
+    if (sum_.nHarmonics() < 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'harmonics' of " << dict.name() << " is "
+            << sum_.nHarmonics() << ", but it must be 1 or more"
+            << exit(FatalIOError);
+    }
+
+    if (replaying_)
+    {
+        if (readPositive(state_, "frequency", dimless/dimTime) != frequency())
+        {
+            FatalIOErrorInFunction(dict)
+                << "The sound was solved, and is replayed, at a frequency of "
+                << state_.get<scalar>("frequency") << " Hz; for another one,"
+                << " start anew" << exit(FatalIOError);
+        }
+
+        gas_ = gasProperties::read(state_.subDict("gas"));
+        expectedAmplitude_ = state_.get<scalar>("expectedAmplitude");
+        handOver_ = state_.get<scalar>("handOver");
+        state_.writeOpt() = IOobject::AUTO_WRITE;
+
+        makeFlow(harmonicFlow::read(mesh, mesh.time().timeName()));
+
+        Info<< "    replayed, as at the end of the last run: "
+            << frequency() << " Hz, " << flow_->nHarmonics()
+            << " harmonics with the fundamental" << endl;
+
+        if (!resolveEvery_)
+        {
+            makeFields();
+            return;
+        }
+    }
+
+    const dictionary& solve = dict.subDict("solve");
+
+    solved_ = selectModel<soundField>
+    (
+        solve,
+        "sound",
+        dictionaryConstructorTablePtr_,
+        mesh,
+        solve
+    );
+
+    if (!mesh.foundObject<volVectorField>("U"))
+    {
+        FatalIOErrorInFunction(solve)
+            << "The sound " << solved_->type() << " is not solved on the mesh:"
+            << " there is nothing to be saved by a replay"
+            << exit(FatalIOError);
+    }
+
+    gas_ = solved_->gas();
+    expectedAmplitude_ = solved_->expectedAmplitude();
+
+    if (replaying_)
+    {
+        makeFields();
+        return;
+    }
+
+    // The state at the start belongs to the first period
+    sum_.add(mesh.time().value(), solvedVelocity());
+}
+
+
+Foam::acoustics::untilPeriodic::~untilPeriodic() = default;
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::acoustics::untilPeriodic::velocityAmplitude() const
+{
+    return
+        replaying_ ? flow_->largestSpeed() : solved_->velocityAmplitude();
+}
+
+
+Foam::label Foam::acoustics::untilPeriodic::prepare(const boundBox& region)
+{
+    regions_.push_back(region);
+
+    if (solved_)
+    {
+        solved_->prepare(region);
+    }
+    if (flow_)
+    {
+        flow_->prepare(region);
+    }
+
+    return regions_.size() - 1;
+}
+
+
+bool Foam::acoustics::untilPeriodic::feelsForces()
+{
+    WarningInFunction
+        << "While the sound is replayed, the aerosol does not act on it"
+        << (resolveEvery_ ? "" : ": set resolveEvery to solve it at times")
+        << endl;
+
+    return !solved_ || solved_->feelsForces();
+}
+
+
+void Foam::acoustics::untilPeriodic::advance()
+{
+    const scalar begin =
+        mesh_.time().value() - mesh_.time().deltaTValue();
+    const scalar rest = resolveEvery_/frequency();
+
+    if
+    (
+        replaying_
+     && resolveEvery_
+     && begin > handOver_ + rest - 0.5*mesh_.time().deltaTValue()
+    )
+    {
+        resume();
+    }
+
+    if (!replaying_)
+    {
+        solved_->advance();
+
+        if (flow_)
+        {
+            compare();
+        }
+        else if (sum_.add(mesh_.time().value(), solvedVelocity()))
+        {
+            endPeriod();
+        }
+    }
+    else if (U_ && mesh_.time().writeTime())
+    {
+        U_->primitiveFieldRef() = flow_->inCells(mesh_.time().value());
+        U_->correctBoundaryConditions();
+    }
+}
+
+
+void Foam::acoustics::untilPeriodic::velocity
+(
+    const scalar t,
+    const vectors& x,
+    vectors& u
+) const
+{
+    velocityIn(0, t, x, u);
+}
+
+
+void Foam::acoustics::untilPeriodic::velocityIn
+(
+    const label region,
+    const scalar t,
+    const vectors& x,
+    vectors& u
+) const
+{
+    if (replaying_)
+    {
+        flow_->velocity(region, t, x, u);
+    }
+    else
+    {
+        solved_->velocityIn(region, t, x, u);
+    }
+}
+
+
+// ************************************************************************* //

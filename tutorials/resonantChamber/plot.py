@@ -1,0 +1,95 @@
+"""A map of the level, and how the level control reached it.
+
+Reads what the function object soundPressureLevel has written and the log;
+writes resonantChamber.png.
+"""
+
+import re
+from pathlib import Path
+
+import matplotlib
+import numpy as np
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+
+case = Path(__file__).resolve().parent
+chamber = dict(
+    re.findall(
+        r"^(\w+)\s+([-+.\deE]+)\s*;", (case/"system/chamber").read_text(), re.M
+    )
+)
+LENGTH = float(chamber["length"])  # m
+WIDTH = float(chamber["width"])  # m
+LEVEL = float(chamber["SPL"])  # dB
+SHAPE = 16, int(chamber["cellsAlong"])
+
+# The last time with a field of the level
+time = max(
+    (path.parent for path in case.glob("*/SPL")),
+    key=lambda path: float(path.name),
+)
+
+
+def cells(name):
+    """Values in the cells, a row for each y."""
+    text = (time/name).read_text().split("internalField", 1)[1]
+    values = text.split("(", 1)[1].split("\n)", 1)[0]
+    values = np.array(re.sub(r"[()]", " ", values).split(), float)
+    return values.reshape(SHAPE + (-1,)).squeeze()
+
+
+x = 100*LENGTH*(np.arange(SHAPE[1]) + 0.5)/SHAPE[1]
+y = 100*WIDTH*(np.arange(SHAPE[0]) + 0.5)/SHAPE[0]
+
+plt.rcParams.update({"font.size": 9})
+figure, (top, middle, bottom) = plt.subplots(
+    3, 1, figsize=(7.5, 8), layout="constrained",
+    gridspec_kw={"height_ratios": (1, 1, 1)},
+)
+
+level = cells("SPL")
+mesh = top.pcolormesh(
+    x, y, level, shading="nearest", cmap="inferno", vmin=LEVEL - 25
+)
+top.contour(x, y, level, np.arange(120, 160, 5), colors="w", linewidths=0.5)
+figure.colorbar(mesh, ax=top, label="level / dB")
+
+speed = cells("UAmp1")
+mesh = middle.pcolormesh(x, y, speed, shading="nearest", cmap="viridis")
+figure.colorbar(mesh, ax=middle, label="velocity amplitude / (m/s)")
+
+for axes in (top, middle):
+    axes.plot([0, 0], [25*WIDTH, 75*WIDTH], color="C0", lw=6, clip_on=False)
+    axes.plot(
+        [100*LENGTH]*2, [87.5*WIDTH, 100*WIDTH], color="w", lw=6, clip_on=False
+    )
+    axes.set(ylabel="y / cm", xlabel="x / cm", aspect="equal")
+top.plot(100*LENGTH, 0, "o", color="C2", ms=8, clip_on=False)
+top.set_title(
+    f"{LEVEL:g} dB in the corner (green), by the loudspeaker (blue),"
+    " with an opening (white)"
+)
+
+# The log has a line per period
+history = np.array(
+    re.findall(
+        r"^Level, period (\d+): ([-+.\de]+) dB at .*, drive ([-+.\de]+) ",
+        (case/"log.acousticDEMFoam").read_text(), re.M,
+    ),
+    dtype=float,
+)
+period, reached, drive = history.T
+bottom.axhspan(LEVEL - 0.1, LEVEL + 0.1, color="C2", alpha=0.4)
+bottom.plot(period, reached, "o-", ms=3, color="k")
+bottom.set(
+    xlabel="period", ylabel="level at the point / dB",
+    ylim=(LEVEL - 25, LEVEL + 3),
+)
+right = bottom.twinx()
+right.plot(period, drive, color="C0")
+right.set_ylabel("velocity of the loudspeaker / (m/s)", color="C0")
+right.set_ylim(0, None)
+bottom.grid(alpha=0.3)
+
+figure.savefig("resonantChamber.png", dpi=150)
