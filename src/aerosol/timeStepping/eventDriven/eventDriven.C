@@ -32,6 +32,10 @@ namespace
 constexpr double margin = 3;
 constexpr double encounter = 5;
 
+//- Neighbours within the swing of a source from which on lists are made for one
+//  step only
+constexpr double crowd = 200;
+
 //- More steps than this are not needed: contact ends the approach. Brownian
 //  motion strays as the root of time, and needs more.
 constexpr int maxSteps = 64;
@@ -189,6 +193,20 @@ Foam::aerosol::scalars Foam::aerosol::eventDriven::wakesNow
         {
             reach(j) += 2*slip/omega;
         }
+    }
+
+    // Pairs per particle
+    const double all = bricks::sum(n);
+    const double volume = with_.region.volume();
+    const double meanDistance = std::cbrt(volume/all);
+
+    vectors spheres = vectors::Zero(3, n);
+    spheres.row(0) =
+        4*EIGEN_PI/3*(reach/meanDistance).cube().matrix().transpose();
+
+    if (bricks::mean(spheres)(0) > crowd)
+    {
+        return scalars::Constant(n, -1);
     }
 
     searchWakes(p, p.x, reach);

@@ -59,8 +59,10 @@ double Foam::aerosol::rooms::make
     const double concentration
 )
 {
-    const bool withWakes = wakeSpeed.size();
     const int n = p.size();
+    const bool withWakes = wakeSpeed.size();
+    const bool crowded =
+        bricks::max(withWakes && n ? -wakeSpeed.minCoeff() : -1.0) > 0;
     const double omega = 2*EIGEN_PI*frequency;
 
     const Eigen::Vector3d mean = bricks::mean(p.v - p.thermal);
@@ -133,20 +135,19 @@ double Foam::aerosol::rooms::make
             );
     };
 
-    double K = 1;
-    double cheapest = cost(K, K);
+    // No room at all: searched in each step, for contacts twice
+    double K = 0;
+    double cheapest = crowded ? 0 : cost(0, 1) + searchCost;
 
-    while (K < mostSteps)
+    for (double next = 1; !crowded && next <= mostSteps; next *= 2)
     {
-        const double next = cost(2*K, 2*K);
+        const double price = cost(next, next);
 
-        if (next > cheapest)
+        if (price < cheapest)
         {
-            break;
+            K = next;
+            cheapest = price;
         }
-
-        K *= 2;
-        cheapest = next;
     }
 
     centre_ = p.x;
@@ -155,7 +156,12 @@ double Foam::aerosol::rooms::make
 
     const double swing = frequency > 0 ? 1/(omega*h) : 0;
 
-    if (frequency > 0 && cost(swingFactor*swing, swingSteps) < cheapest)
+    if
+    (
+        frequency > 0
+     && !crowded
+     && cost(swingFactor*swing, swingSteps) < cheapest
+    )
     {
         K = swingFactor*swing;
 
