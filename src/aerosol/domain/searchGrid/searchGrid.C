@@ -290,49 +290,71 @@ void Foam::aerosol::searchGrid::acting
 {
     pairs.clear();
 
-    // Whether the one at a place acts on the other
+    const int all = static_cast<int>(index_.size());
+
+    if (all == 0)
+    {
+        return;
+    }
+
+    // Sources look for those in small rooms, those in large ones, which are
+    // few, for sources
+    const double small = 2*room.mean();
+    const double furthest = *std::max_element(reach_.begin(), reach_.end());
+
+    const auto isSource = [&](const int place)
+    {
+        return reach_[place] > room(index_[place]);
+    };
+
     const auto add =
     [&](const int source, const int target, const double distanceSqr)
     {
         const int i = index_[target];
         const int j = index_[source];
+        const double far = reach_[source] + room(i);
 
-        if (i < n && reach_[source] > room(j))
+        if (id(i) != id(j) && distanceSqr <= far*far)
         {
-            const double far = reach_[source] + room(i);
-
-            if (distanceSqr <= far*far)
-            {
-                pairs.push_back({i, j, {}});
-            }
+            pairs.push_back({i, j, {}});
         }
     };
 
-    // The one with the larger reach looks for the other one, for both
-    for (int own = 0; own < static_cast<int>(index_.size()); ++own)
+    for (int own = 0; own < all; ++own)
     {
-        const double reach = reach_[own];
+        const int i = index_[own];
 
-        visit
-        (
-            own,
-            2*reach,
-            [&](const int other, const double distanceSqr)
-            {
-                if
-                (
-                    reach_[other] > reach
-                 || (reach_[other] == reach && index_[other] < index_[own])
-                 || id(index_[own]) == id(index_[other])
-                )
+        if (isSource(own))
+        {
+            visit
+            (
+                own,
+                reach_[own] + small,
+                [&](const int other, const double distanceSqr)
                 {
-                    return;
+                    if (index_[other] < n && room(index_[other]) <= small)
+                    {
+                        add(own, other, distanceSqr);
+                    }
                 }
+            );
+        }
 
-                add(own, other, distanceSqr);
-                add(other, own, distanceSqr);
-            }
-        );
+        if (i < n && room(i) > small)
+        {
+            visit
+            (
+                own,
+                room(i) + furthest,
+                [&](const int other, const double distanceSqr)
+                {
+                    if (isSource(other))
+                    {
+                        add(other, own, distanceSqr);
+                    }
+                }
+            );
+        }
     }
 }
 

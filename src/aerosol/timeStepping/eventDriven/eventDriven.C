@@ -149,13 +149,20 @@ void Foam::aerosol::eventDriven::list
     fillIds(p);
 
     listedRange_ = p.range;
-    searchWakes
-    (
-        p,
-        rooms_.centres(),
-        (p.range > 0).select(p.range + room, 0),
-        room
-    );
+    if (rooms_.lasting())
+    {
+        searchWakes
+        (
+            p,
+            rooms_.centres(),
+            (p.range > 0).select(p.range + room, 0),
+            room
+        );
+    }
+    else
+    {
+        searchWakes(p, p.x, p.range);
+    }
     wakeCandidates_.swap(wakePairs_);
     listedWakeHalo_ = wakeHalo_;
     keepNeeded(listedWakeHalo_, wakeCandidates_);

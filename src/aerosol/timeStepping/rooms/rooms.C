@@ -152,7 +152,6 @@ double Foam::aerosol::rooms::make
 
     centre_ = p.x;
     moved_.setZero();
-    left_ = false;
 
     const double swing = frequency > 0 ? 1/(omega*h) : 0;
 
@@ -197,6 +196,8 @@ double Foam::aerosol::rooms::make
     }
 
     size_ = least + K*way + drift/inverse;
+    lasting_ = K > 0;
+    left_ = !lasting_;
 
     return longest;
 }
