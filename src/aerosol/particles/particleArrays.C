@@ -81,6 +81,37 @@ void Foam::aerosol::particleArrays::resizeLaws()
 }
 
 
+void Foam::aerosol::particleArrays::reorder(const std::vector<int>& indices)
+{
+    const bool withLaws = refreshed();
+
+    // Not all of them twice at the same time
+    const auto one = [&](auto& values)
+    {
+        values = values(indices).eval();
+    };
+    const auto three = [&](vectors& values)
+    {
+        values = values(Eigen::all, indices).eval();
+    };
+
+    one(id);
+    three(x);
+    three(v);
+    three(thermal);
+    one(d);
+    one(m);
+    one(primaries);
+
+    if (withLaws)
+    {
+        one(rate);
+        three(acceleration);
+        one(range);
+    }
+}
+
+
 double Foam::aerosol::particleArrays::volume(const int i) const
 {
     return EIGEN_PI/6*d(i)*d(i)*d(i);

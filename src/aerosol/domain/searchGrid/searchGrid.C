@@ -364,7 +364,7 @@ void Foam::aerosol::searchGrid::sort(particleArrays& p)
     searchGrid grid;
     grid.build(p.x, scalars::Zero(p.size()));
 
-    p = p.select(grid.index_);
+    p.reorder(grid.index_);
 }
 
 

@@ -121,12 +121,28 @@ void Foam::aerosol::eventDriven::list
     }
 
     // Where they are about to go, in wakes as they are now
-    const gasStep gas = sampleGas(p, t, h);
-    gasStep wakes;
-    const scalars wakeSpeed = wakesNow(p, gas.u0, wakes.u0);
+    const gasOfStep gas = gasWhenAsked(p, t, h, false);
+    vectors w;
+    const scalars wakeSpeed = wakesNow(p, gas, w);
 
     equationOfMotion::state end;
-    with_.motion.move(h, p, gas, wakes, false, end);
+    inRuns
+    (
+        p,
+        [&](const int first, const int size)
+        {
+            gasStep wakes;
+            if (w.cols())
+            {
+                wakes.u0 = w.middleCols(first, size);
+            }
+
+            with_.motion.move
+            (
+                h, p, gas.run(first, size), wakes, false, end, first
+            );
+        }
+    );
 
     const scalar furthest = rooms_.make
     (
@@ -172,7 +188,7 @@ void Foam::aerosol::eventDriven::list
 Foam::aerosol::scalars Foam::aerosol::eventDriven::wakesNow
 (
     const particleArrays& p,
-    const vectors& u,
+    const gasOfStep& gas,
     vectors& w
 )
 {
@@ -246,7 +262,7 @@ Foam::aerosol::scalars Foam::aerosol::eventDriven::wakesNow
         (
             p.v(Eigen::all, involved_), p.thermal(Eigen::all, involved_)
         ),
-        u(Eigen::all, involved_),
+        gas.some(involved_).u0,
         kept, slip, found
     );
 

@@ -105,26 +105,40 @@ double Foam::aerosol::rooms::make
     // Looks at pairs per particle and step, if rooms of K ways last some steps
     const auto cost = [&](const double K, const double steps)
     {
-        vectors S(3, n);
-        vectors R = vectors::Zero(3, n);
-        vectors sources = vectors::Zero(3, n);
-
-        for (int i = 0; i < n; ++i)
+        // First, second and third powers, worked out one by one
+        const auto power = [](const double x, const Eigen::Index k)
         {
-            const double s = inverse*(least(i) + K*way(i)) + drift;
-            S.col(i) << s, s*s, s*s*s;
+            return k == 0 ? x : k == 1 ? x*x : x*x*x;
+        };
+        const auto room = [&](const Eigen::Index i)
+        {
+            return inverse*(least(i) + K*way(i)) + drift;
+        };
+        const auto acts = [&](const Eigen::Index i)
+        {
+            return withWakes && p.range(i) > 0;
+        };
+        const auto mean = [&](const auto& numbers)
+        {
+            return bricks::mean(vectors::NullaryExpr(3, n, numbers));
+        };
+        using index = Eigen::Index;
 
-            if (withWakes && p.range(i) > 0)
+        const Eigen::Vector3d s = mean
+        (
+            [&](const index k, const index i) { return power(room(i), k); }
+        );
+        const Eigen::Vector3d r = mean
+        (
+            [&](const index k, const index i)
             {
-                const double r = inverse*p.range(i) + s;
-                R.col(i) << r, r*r, r*r*r;
-                sources(0, i) = 1;
+                return acts(i) ? power(inverse*p.range(i) + room(i), k) : 0;
             }
-        }
-
-        const Eigen::Vector3d s = bricks::mean(S);
-        const Eigen::Vector3d r = bricks::mean(R);
-        const double part = bricks::mean(sources)(0);
+        );
+        const double part = mean
+        (
+            [&](const index, const index i) { return acts(i) ? 1.0 : 0.0; }
+        )(0);
 
         return
             (withWakes ? wakeSearchCost : searchCost)/steps

@@ -558,6 +558,19 @@ void Foam::aerosol::timeStepping::searchContacts
 }
 
 
+void Foam::aerosol::timeStepping::inRuns
+(
+    const particleArrays& p,
+    const std::function<void(const int first, const int size)>& task
+)
+{
+    for (int first = 0; first < p.size(); first += runLength)
+    {
+        task(first, std::min(runLength, p.size() - first));
+    }
+}
+
+
 void Foam::aerosol::timeStepping::moveAll
 (
     const scalar h,
@@ -575,23 +588,22 @@ void Foam::aerosol::timeStepping::moveAll
 
     motion.kick(h, p, step_, block(noise::whole, part), end.kick);
 
-    end.x.resize(3, p.size());
-    end.v.resize(3, p.size());
-
-    // As if there were no wakes, which is the end for most of them. Run by
-    // run, that the gas at them stays in the cache.
-    for (int first = 0; first < p.size(); first += runLength)
-    {
-        const int size = std::min(runLength, p.size() - first);
-        const gasStep air = gas.run(first, size);
-
-        motion.move(h, p, air, {}, false, end, first);
-
-        if (!motion.linear())
+    // As if there were no wakes, which is the end for most of them
+    inRuns
+    (
+        p,
+        [&](const int first, const int size)
         {
-            motion.move(h, p, air, {}, true, end, first);
+            const gasStep air = gas.run(first, size);
+
+            motion.move(h, p, air, {}, false, end, first);
+
+            if (!motion.linear())
+            {
+                motion.move(h, p, air, {}, true, end, first);
+            }
         }
-    }
+    );
 
     commonWay_ = h*bricks::mean((end.x - p.x)/h);
 
