@@ -28,7 +28,10 @@ def load():
     return module
 
 
-def run(directory, s, m, steps=200, periods=10, cells=25, drag="Stokes"):
+def run(
+    directory, s, m, steps=200, periods=10, cells=25, drag="Stokes",
+    sound="compressible"
+):
     """A tube with an aerosol, or without an effect of it if m is 0."""
     case = AerosolCase(directory, ROOT/"tutorials/aerosolAttenuation")
     case.entry("system/tube", "omegaTau", s)
@@ -45,6 +48,10 @@ def run(directory, s, m, steps=200, periods=10, cells=25, drag="Stokes"):
     case.control("stepsPerPeriod", steps)
     case.control("endTime", f"#eval{{ {periods}.0/$frequency }}")
     case.replace("system/blockMeshDict", r"\(25 1 1\)", f"({cells} 1 1)")
+    case.replace(
+        "constant/acousticProperties", r"type\s+compressible;",
+        f"type {sound};"
+    )
     case.run("blockMesh")
     case.run("setExprFields")
     case.run("acousticDEMFoam")
@@ -53,42 +60,53 @@ def run(directory, s, m, steps=200, periods=10, cells=25, drag="Stokes"):
 
 @pytest.fixture(scope="module", name="clean")
 def fixture_clean(tmp_path_factory):
-    """Frequency of the tube without aerosol, by steps per period and cells."""
+    """Frequency without aerosol, by sound, steps per period and cells."""
     known = {}
 
-    def frequency(steps, cells):
-        if (steps, cells) not in known:
+    def frequency(*key):
+        sound, steps, cells = key
+        if key not in known:
             case = run(
                 tmp_path_factory.mktemp("clean")/"case", 1, 0, steps,
-                cells=cells,
+                cells=cells, sound=sound,
             )
-            known[steps, cells] = load().analyse(case.path)
-        return known[steps, cells]
+            known[key] = load().analyse(case.path)
+        return known[key]
 
     return frequency
 
 
+SOUNDS = ("compressible", "explicitCompressible")
 SOME = [
-    (0.1, 0.01, 200, 25), (0.1, 0.3, 200, 25), (1, 0.1, 200, 25),
-    (10, 0.01, 200, 25), (10, 0.3, 200, 25), (0.3, 0.3, 100, 25),
+    ("compressible", 0.1, 0.01, 200, 25), ("compressible", 0.1, 0.3, 200, 25),
+    ("compressible", 1, 0.1, 200, 25), ("compressible", 10, 0.01, 200, 25),
+    ("compressible", 10, 0.3, 200, 25), ("compressible", 0.3, 0.3, 100, 25),
+    ("explicitCompressible", 0.1, 0.3, 100, 25),
+    ("explicitCompressible", 1, 0.1, 100, 25),
+    ("explicitCompressible", 10, 0.01, 100, 25),
 ]
 ALL = [
-    (s, m, steps, 25)
+    (sound, s, m, steps, 25)
+    for sound in SOUNDS
     for s in (0.1, 0.3, 1, 3, 10) for m in (0.01, 0.1, 0.3)
     for steps in (100, 200)
-] + [(1, 0.3, 200, 50), (0.1, 0.3, 400, 50)]
+] + [("compressible", 1, 0.3, 200, 50), ("compressible", 0.1, 0.3, 400, 50)]
 
 
-@pytest.mark.parametrize("s, m, steps, cells", ALL if FULL else SOME)
-def test_is_that_of_Temkin_and_Dobbins(tmp_path, clean, s, m, steps, cells):
-    w0 = clean(steps, cells)
-    case = run(tmp_path/"case", s, m, steps, 20 if FULL else 10, cells)
+@pytest.mark.parametrize("sound, s, m, steps, cells", ALL if FULL else SOME)
+def test_is_that_of_Temkin_and_Dobbins(
+    tmp_path, clean, sound, s, m, steps, cells
+):
+    w0 = clean(sound, steps, cells)
+    case = run(
+        tmp_path/"case", s, m, steps, 20 if FULL else 10, cells, sound=sound
+    )
     w, exact = load().analyse(case.path, w0)
 
     damping = (w.imag - w0.imag)/(exact.imag - w0.imag) - 1
     dispersion = (w.real - w0.real)/(exact.real - w0.real) - 1
     print(
-        f"\nomega tau {s:g}, loading {m:g}, T/{steps}, {2*cells} cells per"
+        f"\n{sound}, omega tau {s:g}, loading {m:g}, T/{steps}, {2*cells} cells per"
         f" wavelength: attenuation {100*damping:+.2f} %, change of frequency"
         f" {100*dispersion:+.2f} %"
     )

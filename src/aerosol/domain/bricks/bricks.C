@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -157,6 +158,21 @@ Foam::aerosol::particleArrays
 Foam::aerosol::bricks::gather(const particleArrays& own)
 {
     constexpr int length = particleArrays::nNumbers;
+
+    if (nRanks() == 1)
+    {
+        // Without the memory for messages
+        std::vector<int> order(own.size());
+        std::iota(order.begin(), order.end(), 0);
+        std::sort
+        (
+            order.begin(),
+            order.end(),
+            [&](const int a, const int b) { return own.id(a) < own.id(b); }
+        );
+
+        return own.select(order);
+    }
 
     const bool withLaws = own.refreshed();
     particleArrays from = own;
