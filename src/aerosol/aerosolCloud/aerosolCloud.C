@@ -479,6 +479,16 @@ void Foam::aerosol::aerosolCloud::checkSound() const
 
 void Foam::aerosol::aerosolCloud::checkBrownian() const
 {
+    // Their noise of the step is known, and a bounce would have to reflect what
+    // is left of it for both
+    if (motion_.hasBrownian() && contacts_.bounces())
+    {
+        FatalIOErrorInFunction(dict_.subDict("contact"))
+            << "Particles that bounce cannot have Brownian motion: set"
+            << " 'Brownian' to none, or let them stick or pass"
+            << exit(FatalIOError);
+    }
+
     if (!motion_.hasBrownian() || !particles_.size())
     {
         return;

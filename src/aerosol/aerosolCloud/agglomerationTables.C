@@ -315,7 +315,11 @@ void Foam::aerosol::agglomerationTables::writeContacts
         writeNumber(os, contact.d2);
         writeNumber(os, contact.speed);
         writeNumber(os, radToDeg(contact.angle));
-        writeTabbed(os, contact.merged ? "stick" : "none");
+        writeTabbed
+        (
+            os,
+            contact.merged ? "stick" : contact.bounced ? "bounce" : "none"
+        );
         os  << nl;
     }
 

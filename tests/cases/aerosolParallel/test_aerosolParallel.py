@@ -126,13 +126,44 @@ def test_ranges_by_default(tmp_path, meshed):
     assert_same(*clouds)
 
 
-def test_ranks_without_particles(tmp_path, meshed):
+@pytest.mark.parametrize("stepping", ["eventDriven", "multipleTimeStep"])
+def test_bounces(tmp_path, meshed, stepping):
+    """A fifth of those that touch stick, at random; the others bounce."""
+    clouds = []
+
+    for ranks in (1, 3):
+        case = AerosolCase(tmp_path/f"ranks{ranks}", meshed)
+        case.model("timeStepping", STEPPINGS[stepping])
+        case.model("wake", "type none;")
+        case.model(
+            "contact", "type probability; sticking 0.2; restitution 0.8;"
+        )
+        case.aerosol("length", "(0.38e-3 0.36e-3 0.34e-3)")
+        case.aerosol("numberConcentration", "6e13")
+        case.replace(
+            "constant/aerosolProperties", "domain",
+            "report { contacts yes; }\n\ndomain",
+        )
+        clouds.append(run_on(case, ranks))
+
+    assert_same(*clouds)
+
+    contacts = dict(clouds[0][1])["contacts.dat"]
+    print(
+        contacts.count("stick "), "stick,", contacts.count("bounce "), "bounce"
+    )
+    assert contacts.count("bounce ") > 10
+    assert contacts.count("stick ") > 3
+
+
+@pytest.mark.parametrize("stepping", ["eventDriven", "multipleTimeStep"])
+def test_ranks_without_particles(tmp_path, meshed, stepping):
     """Three particles in one corner of the box, which settle and meet."""
     clouds = []
 
     for ranks in (1, 4):
         case = AerosolCase(tmp_path/f"ranks{ranks}", meshed)
-        case.model("timeStepping", STEPPINGS["eventDriven"])
+        case.model("timeStepping", STEPPINGS[stepping])
         case.aerosol("length", "0.5e-3")
         case.particles(
             [

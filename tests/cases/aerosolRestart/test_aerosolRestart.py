@@ -63,19 +63,30 @@ def same_tables(one, other, start):
             assert np.array_equal(values, b[column][keep]), (name, column)
 
 
-@pytest.mark.parametrize("writeFormat, wake", [
-    ("binary", "type Oseen; range 20;"),
-    ("ascii", "type Oseen; range 20;"),
-    ("binary", "type Oseen;"),
-    ("ascii", "type Oseen;"),
+@pytest.mark.parametrize("writeFormat, wake, bounces", [
+    ("binary", "type Oseen; range 20;", False),
+    ("ascii", "type Oseen; range 20;", False),
+    ("binary", "type Oseen;", False),
+    ("ascii", "type Oseen;", False),
+    ("ascii", "type Oseen; range 20;", True),
 ])
-def test_continues(tmp_path, meshed, writeFormat, wake):
-    whole = prepare(tmp_path/"whole", meshed, writeFormat)
-    whole.model("wake", wake)
+def test_continues(tmp_path, meshed, writeFormat, wake, bounces):
+    def make(name):
+        case = prepare(tmp_path/name, meshed, writeFormat)
+        case.model("wake", wake)
+        if bounces:
+            case.replace(
+                "constant/aerosolProperties", "type OrnsteinUhlenbeck", "type none"
+            )
+            case.model(
+                "contact", "type probability; sticking 0.3; restitution 0.8;"
+            )
+        return case
+
+    whole = make("whole")
     whole.run("acousticDEMFoam")
 
-    parts = prepare(tmp_path/"parts", meshed, writeFormat)
-    parts.model("wake", wake)
+    parts = make("parts")
     parts.control("endTime", repr(20*STEP))
     parts.run("acousticDEMFoam")
     start = float(parts.times()[-1])

@@ -125,6 +125,49 @@ BAD = {
         ACOUSTIC, "SPL", "gas { mu -1; } SPL", "'mu' .* is -1, .* positive",
     ),
 
+    "negativeAdhesion": (
+        AEROSOL, r"type +stick;",
+        "type criticalVelocity; workOfAdhesion -1; YoungsModulus 70e9;",
+        "'workOfAdhesion' .* is -1, .* positive",
+    ),
+    "noModulus": (
+        AEROSOL, r"type +stick;",
+        "type criticalVelocity; workOfAdhesion 0.05;",
+        "Entry 'YoungsModulus' not found",
+    ),
+    "PoissonRatio": (
+        AEROSOL, r"type +stick;",
+        "type criticalVelocity; workOfAdhesion 0.05; YoungsModulus 70e9;"
+        " PoissonRatio 0.6;",
+        "'PoissonRatio' .* is 0.6, .* not be above 0.5",
+    ),
+    "certainty": (
+        AEROSOL, r"type +stick;", "type probability; sticking 1.1;",
+        "'sticking' .* is 1.1, .* from 0 to 1",
+    ),
+    "gainOfEnergy": (
+        AEROSOL, r"type +stick;",
+        "type probability; sticking 0.5; restitution 2;",
+        "'restitution' .* is 2, .* from 0 to 1",
+    ),
+    "typoInContact": (
+        AEROSOL, r"type +stick;",
+        "type probability; sticking 0.5; restitutoin 1;",
+        r"Unknown .* 'restitutoin' .* restitution",
+    ),
+    "bounceInBrownianMotion": (
+        AEROSOL, r"contact\s*\{\s*type +stick;",
+        "Brownian { type OrnsteinUhlenbeck; }\n"
+        "contact { type probability; sticking 0.5; restitution 1;",
+        "bounce cannot have Brownian motion",
+    ),
+    "bounceWithoutAggregate": (
+        AEROSOL, r"(?s)contact\s*\{.*equivalentSphere;",
+        "contact { type probability; sticking 0.5; restitution 1; }\n"
+        "aggregate { type none;",
+        "'probability' .* bounce or stick, .* 'aggregate' is none",
+    ),
+
     # Wrong dimensions, not numbers
     "dimensions": (
         ACOUSTIC, "1400", "[0 1 0 0 0 0 0] 1400",

@@ -22,7 +22,17 @@ Foam::aerosol::contacts::contacts(const dictionary& dict)
     count_(0),
     nAbsorbed_(0),
     keepsRecords_(false)
-{}
+{
+    // Who is about to stick would be found in touch again and again
+    if (outcome_->bounces() && !aggregate_->merges())
+    {
+        FatalIOErrorInFunction(dict.subDict("contact"))
+            << "The contact outcome '" << outcome_->type()
+            << "' lets particles bounce or stick, but the 'aggregate' is none."
+            << " Choose an aggregate for those that stick"
+            << exit(FatalIOError);
+    }
+}
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -31,7 +41,8 @@ void Foam::aerosol::contacts::keep
 (
     const particleArrays& p,
     const contactOutcome::encounter& pair,
-    const bool merged
+    const bool merged,
+    const bool bounced
 )
 {
     if (!keepsRecords_)
@@ -52,7 +63,8 @@ void Foam::aerosol::contacts::keep
         p.d(pair.j),
         v.norm(),
         std::atan2(r.cross(v).norm(), r.dot(v)),
-        merged
+        merged,
+        bounced
     });
 }
 
@@ -67,13 +79,31 @@ int Foam::aerosol::contacts::meet
 {
     ++count_;
 
-    if (!aggregate_->merges() || !outcome_->sticks(p, pair))
+    const bool merges = aggregate_->merges() && outcome_->sticks(p, pair);
+
+    if (!merges && outcome_->bounces())
+    {
+        const Eigen::Vector3d n = (pair.xj - pair.xi).normalized();
+        const double mi = p.m(pair.i);
+        const double mj = p.m(pair.j);
+        const Eigen::Vector3d impulse =
+            (1 + outcome_->restitution(p, pair))
+           *mi*mj/(mi + mj)*pair.approach()*n;
+
+        p.v.col(pair.i) = pair.vi - impulse/mi;
+        p.v.col(pair.j) = pair.vj + impulse/mj;
+        keep(p, pair, false, true);
+
+        return bounced;
+    }
+
+    if (!merges)
     {
         refused_.insert(std::minmax(p.id(pair.i), p.id(pair.j)));
         newlyRefused_.push_back(p.id(pair.i));
         newlyRefused_.push_back(p.id(pair.j));
         keep(p, pair, false);
-        return -1;
+        return passed;
     }
 
     // The heavier one lives on, at its own place rather than its image's
@@ -140,7 +170,7 @@ Foam::aerosol::contacts::takeRecords()
         return {};
     }
 
-    constexpr int length = 8;
+    constexpr int length = 9;
 
     std::vector<double> mine;
 
@@ -151,7 +181,7 @@ Foam::aerosol::contacts::takeRecords()
             const double value :
             {
                 r.time, double(r.id1), double(r.id2), r.d1, r.d2, r.speed,
-                r.angle, double(r.merged)
+                r.angle, double(r.merged), double(r.bounced)
             }
         )
         {
@@ -174,7 +204,7 @@ Foam::aerosol::contacts::takeRecords()
             ({
                 part[k], std::int64_t(part[k + 1]), std::int64_t(part[k + 2]),
                 part[k + 3], part[k + 4], part[k + 5], part[k + 6],
-                part[k + 7] > 0
+                part[k + 7] > 0, part[k + 8] > 0
             });
         }
     }

@@ -242,4 +242,53 @@ double Foam::aerosol::particlePath::firstTouch
 }
 
 
+double Foam::aerosol::particlePath::firstApproach
+(
+    const particlePath& a,
+    const particlePath& b,
+    const double touch
+)
+{
+    // Distance from contact that is no distance, in distances: a bounce leaves
+    // as much
+    constexpr double closed = 1e-9;
+
+    // Steps of those in touch that separate
+    constexpr double stride = 1e-4;
+
+    const double last = a.length_;
+    const double speed = std::max(a.relativeSpeed(b), VSMALL);
+
+    for (double t = 0; t < last; )
+    {
+        const Eigen::Vector3d r = b.position(t) - a.position(t);
+        const double gap = r.norm() - touch;
+
+        if (gap > closed*touch)
+        {
+            // No sooner than this; and not in touch before
+            const double when =
+                firstTouch(a.rest(t), b.rest(t), touch, false);
+
+            if (when > last - t)
+            {
+                return GREAT;
+            }
+            t += when;
+        }
+
+        const Eigen::Vector3d there = b.position(t) - a.position(t);
+
+        if ((b.velocity(t) - a.velocity(t)).dot(there) < 0)
+        {
+            return t;
+        }
+
+        t += stride*touch/speed;
+    }
+
+    return GREAT;
+}
+
+
 // ************************************************************************* //

@@ -543,7 +543,6 @@ std::vector<int> Foam::aerosol::eventDriven::findEncounters
         }
     }
 
-    return steps;
     effort_.contactPairs += contactPairs_.size();
 
     return steps;

@@ -253,6 +253,7 @@ void Foam::aerosol::timeStepping::collide
     };
 
     std::priority_queue<meeting> queue;
+    std::uint64_t nContacts = manyParts*s;
 
     // The first contact of a pair from the given time on
     const auto look = [&](const particlePair& pair, const scalar first)
@@ -351,6 +352,8 @@ void Foam::aerosol::timeStepping::collide
         encounter.vi = between(i, when, p.v, end.v);
         encounter.vj = between(j, when, p.v, end.v);
         encounter.time = t + when;
+        encounter.step = step_;
+        encounter.number = block(noise::whole, part, nContacts++);
 
         const Eigen::Vector3d thermal =
         (

@@ -140,6 +140,18 @@ std::pair<Foam::scalar, int> Foam::aerosol::timeStepping::firstContact
             continue;
         }
 
+        // Who has bounced off is in touch, and free to come back
+        if (with_.contacts.bounces())
+        {
+            const double when = particlePath::firstApproach(a, b, touch);
+
+            if (when <= h && when < first.first)
+            {
+                first = {when, static_cast<int>(k)};
+            }
+            continue;
+        }
+
         // Who touched without sticking does so again only after a separation
         const bool onlyNew = with_.contacts.refused(p.id(i), p.id(j));
 
@@ -239,6 +251,7 @@ void Foam::aerosol::timeStepping::follow
     equationOfMotion::state end;
     std::vector<char> leftOut(one.contactPairs.size(), 0);
     scalar now = 0;
+    std::uint64_t nContacts = 0;
 
     const auto moveOver = [&](const scalar length, equationOfMotion::state& to)
     {
@@ -316,12 +329,31 @@ void Foam::aerosol::timeStepping::follow
         encounter.vi = end.v.col(pair.i);
         encounter.vj = end.v.col(pair.j);
         encounter.time = t + now + when;
+        encounter.step = step_;
+        encounter.number = block(noise::whole, part, nContacts++);
+
+        // In touch on its path, but by its motion only nearly so
+        if (with_.contacts.bounces() && encounter.approach() <= 0)
+        {
+            leftOut[found.second] = 1;
+            continue;
+        }
 
         const int survivor = with_.contacts.meet(p, encounter);
 
-        if (survivor < 0)
+        if (survivor == contacts::passed)
         {
             leftOut[found.second] = 1;
+            continue;
+        }
+
+        if (survivor == contacts::bounced)
+        {
+            end.v.col(pair.i) = p.v.col(pair.i);
+            end.v.col(pair.j) = p.v.col(pair.j);
+            p.x.swap(end.x);
+            p.v.swap(end.v);
+            now += when;
             continue;
         }
 

@@ -105,6 +105,24 @@ Foam::aerosol::timeStepping::gatherGroups
 
     contactHalo_.spreadMax(marked);
 
+    // Who is hit may be thrown at another one: its neighbours come along
+    if (with_.contacts.bounces())
+    {
+        scalars hit = marked;
+
+        for (const particlePair& pair : contactPairs_)
+        {
+            if (marked(pair.i) || marked(pair.j))
+            {
+                hit(pair.i) = 1;
+                hit(pair.j) = 1;
+            }
+        }
+
+        contactHalo_.spreadMax(hit);
+        marked.swap(hit);
+    }
+
     // The pairs within groups
     std::vector<std::size_t> inside;
 

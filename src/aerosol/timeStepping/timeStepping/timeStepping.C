@@ -350,13 +350,15 @@ void Foam::aerosol::timeStepping::nestedSteps
 
         moveAll(hp, p, gasAtHand(now), false, before + s, end);
 
-        const std::vector<char> absorbed =
-            meet(p, now, end, t + s*hp, hp, nCollision, before + s);
+        std::vector<char> absorbed;
+        const bool met =
+            meet(p, now, end, t + s*hp, hp, nCollision, before + s, absorbed);
 
         with_.motion.arrive(p, end);
         now.u0.swap(now.u1);
 
-        if (!absorbed.empty())
+        // Who has merged or bounced is not where it was listed
+        if (met)
         {
             p.remove(absorbed);
             remove(now.u0, absorbed);
@@ -840,7 +842,7 @@ Foam::aerosol::particlePath Foam::aerosol::timeStepping::pathOf
 }
 
 
-std::vector<char> Foam::aerosol::timeStepping::meet
+bool Foam::aerosol::timeStepping::meet
 (
     particleArrays& p,
     const gasStep& gas,
@@ -848,12 +850,13 @@ std::vector<char> Foam::aerosol::timeStepping::meet
     const scalar t,
     const scalar h,
     const int nCollision,
-    const int part
+    const int part,
+    std::vector<char>& absorbed
 )
 {
     if (!with_.contacts.active())
     {
-        return {};
+        return false;
     }
 
     effort_.collisionSteps += nCollision;
@@ -918,7 +921,7 @@ std::vector<char> Foam::aerosol::timeStepping::meet
 
     if (bricks::max(found) == 0)
     {
-        return {};
+        return false;
     }
 
     std::vector<group> groups =
@@ -931,7 +934,9 @@ std::vector<char> Foam::aerosol::timeStepping::meet
 
     with_.contacts.share();
 
-    return disperse(groups, p, end);
+    absorbed = disperse(groups, p, end);
+
+    return true;
 }
 
 
