@@ -123,7 +123,7 @@ void Foam::aerosol::eventDriven::list
     // Where they are about to go, in wakes as they are now
     const gasStep gas = sampleGas(p, t, h);
     gasStep wakes;
-    const scalars wakeSpeed = wakesNow(p, gas.u0, wakes.u0);
+    const scalars wakeSpeed = wakesNow(p, gas, h, wakes.u0);
 
     equationOfMotion::state end;
     with_.motion.move(h, p, gas, wakes, false, end);
@@ -165,7 +165,8 @@ void Foam::aerosol::eventDriven::list
 Foam::aerosol::scalars Foam::aerosol::eventDriven::wakesNow
 (
     const particleArrays& p,
-    const vectors& u,
+    const gasStep& gas,
+    const scalar h,
     vectors& w
 )
 {
@@ -231,6 +232,8 @@ Foam::aerosol::scalars Foam::aerosol::eventDriven::wakesNow
 
     involve(p, true);
 
+    const vectors quadrature = with_.motion.quadrature(p.rate, gas, 0, h);
+
     vectors kept, slip, found;
     wakesAt
     (
@@ -239,7 +242,9 @@ Foam::aerosol::scalars Foam::aerosol::eventDriven::wakesNow
         (
             p.v(Eigen::all, involved_), p.thermal(Eigen::all, involved_)
         ),
-        u(Eigen::all, involved_),
+        gas.u0(Eigen::all, involved_),
+        quadrature.cols() ? vectors(quadrature(Eigen::all, involved_))
+      : vectors(3, 0),
         kept, slip, found
     );
 
