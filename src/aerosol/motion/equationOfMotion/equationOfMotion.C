@@ -144,7 +144,9 @@ Foam::aerosol::equationOfMotion::equationOfMotion
     ),
     period_(period),
     slips_(slips)
-{}
+{
+    wake_->setSound(dict.subDict("wake"), slips_.omega(), gas_);
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -164,6 +166,27 @@ Foam::aerosol::equationOfMotion::gasStep::at(const scalar s) const
 
     return
         (1 - s)*(1 - 2*s)*u0 + 4*s*(1 - s)*um + s*(2*s - 1)*u1;
+}
+
+
+Foam::aerosol::vectors
+Foam::aerosol::equationOfMotion::gasStep::change
+(
+    const scalar s,
+    const scalar h
+) const
+{
+    if (!u1.cols())
+    {
+        return vectors::Zero(3, u0.cols());
+    }
+
+    if (!um.cols())
+    {
+        return (u1 - u0)/h;
+    }
+
+    return ((4*s - 3)*u0 + (4 - 8*s)*um + (4*s - 1)*u1)/h;
 }
 
 
@@ -510,7 +533,7 @@ void Foam::aerosol::equationOfMotion::refresh
     const scalar range = wake_->range(one.d, slip)(0);
 
     particles.range(i) =
-        wake_->needsTolerance()
+        wake_->needsTolerance() && !wake_->ends()
       ? std::min(range, slips_.longestRange(slip(0), gas_.nu()))
       : range;
 }
@@ -550,6 +573,39 @@ Foam::aerosol::equationOfMotion::gain(const particleArrays& p, const scalar h)
 }
 
 
+Foam::aerosol::vectors Foam::aerosol::equationOfMotion::quadrature
+(
+    const scalars& rate,
+    const gasStep& gas,
+    const scalar s,
+    const scalar h
+) const
+{
+    const scalar omega = wake_->omega();
+
+    if (omega <= 0)
+    {
+        return {};
+    }
+
+    const vectors u = gas.at(s);
+    const vectors change = gas.change(s, h);
+
+    vectors result(3, u.cols());
+
+    for (int i = 0; i < result.cols(); ++i)
+    {
+        // 1/s: zero without drag
+        const double share = rate(i)/omega;
+
+        result.col(i) =
+            (share*u.col(i) - change.col(i)/omega)/(1 + share*share);
+    }
+
+    return result;
+}
+
+
 void Foam::aerosol::equationOfMotion::wakes
 (
     const sources& from,
@@ -574,6 +630,7 @@ void Foam::aerosol::equationOfMotion::wakes
     {
         block.r[k].setOnes();
         block.slip[k].setZero();
+        block.quadrature[k].setZero();
     }
     block.radius.setOnes();
 
@@ -608,6 +665,8 @@ void Foam::aerosol::equationOfMotion::wakes
 
     const double* const x = from.x.data();
     const double* const slip = from.slip.data();
+    const bool withQuadrature = from.quadrature.cols();
+    const double* const quadrature = from.quadrature.data();
     const double* const d = from.d.data();
     const double* const range = from.range.data();
 
@@ -643,6 +702,11 @@ void Foam::aerosol::equationOfMotion::wakes
             block.slip[k].data()[n] = U[k];
         }
 
+        for (int k = 0; withQuadrature && k < 3; ++k)
+        {
+            block.quadrature[k].data()[n] = quadrature[3*pair.j + k];
+        }
+
         block.radius.data()[n] = 0.5*d[pair.j];
         target[n] = pair.i;
 
@@ -658,6 +722,7 @@ void Foam::aerosol::equationOfMotion::wakes
         {
             block.r[k](b) = 1;
             block.slip[k](b) = 0;
+            block.quadrature[k](b) = 0;
         }
         block.radius(b) = 1;
     }
@@ -673,10 +738,17 @@ void Foam::aerosol::equationOfMotion::wakes
     const vectors& x,
     const vectors& v,
     const vectors& u,
-    vectors& w
+    vectors& w,
+    const vectors& quadrature
 ) const
 {
-    wakes({x, u - v, particles.d, particles.range}, pairs, particles.size(), w);
+    wakes
+    (
+        {x, u - v, particles.d, particles.range, quadrature},
+        pairs,
+        particles.size(),
+        w
+    );
 }
 
 
@@ -720,7 +792,10 @@ void Foam::aerosol::equationOfMotion::step
         vectors& result
     )
     {
-        wakes(p, wakePairs, x, v, u, result);
+        wakes
+        (
+            p, wakePairs, x, v, u, result, quadrature(p.rate, gas, s, h)
+        );
 
         if (outside.u0.cols())
         {

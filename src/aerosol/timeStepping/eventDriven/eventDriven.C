@@ -123,7 +123,7 @@ void Foam::aerosol::eventDriven::list
     // Where they are about to go, in wakes as they are now
     const gasOfStep gas = gasWhenAsked(p, t, h, false);
     vectors w;
-    const scalars wakeSpeed = wakesNow(p, gas, w);
+    const scalars wakeSpeed = wakesNow(p, gas, h, w);
 
     equationOfMotion::state end;
     inRuns
@@ -189,6 +189,7 @@ Foam::aerosol::scalars Foam::aerosol::eventDriven::wakesNow
 (
     const particleArrays& p,
     const gasOfStep& gas,
+    const scalar h,
     vectors& w
 )
 {
@@ -254,6 +255,8 @@ Foam::aerosol::scalars Foam::aerosol::eventDriven::wakesNow
 
     involve(p, true);
 
+    const gasStep air = gas.some(involved_);
+
     vectors kept, slip, found;
     wakesAt
     (
@@ -262,7 +265,8 @@ Foam::aerosol::scalars Foam::aerosol::eventDriven::wakesNow
         (
             p.v(Eigen::all, involved_), p.thermal(Eigen::all, involved_)
         ),
-        gas.some(involved_).u0,
+        air.u0,
+        with_.motion.quadrature(p.rate(involved_), air, 0, h),
         kept, slip, found
     );
 

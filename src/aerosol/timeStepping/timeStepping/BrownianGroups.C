@@ -162,7 +162,11 @@ void Foam::aerosol::timeStepping::moveOn
         )
         {
             vectors found;
-            motion.wakes(p, acting, places, drifts, all.gas.at(s), found);
+            motion.wakes
+            (
+                p, acting, places, drifts, all.gas.at(s), found,
+                motion.quadrature(p.rate, all.gas, s, h)
+            );
             result = found.col(i);
 
             if (all.outside.u0.cols())
@@ -425,7 +429,7 @@ void Foam::aerosol::timeStepping::followBrownian
         std::vector<char>(p.size(), 0), {}, 0
     };
 
-    const gasStep outside = outsideWakes(one, all.wakePairs);
+    const gasStep outside = outsideWakes(one, all.wakePairs, h);
 
     // The noise of a step of one part is known, to the last bit
     std::vector<Brownian::kicks> kicks(1, one.kick);

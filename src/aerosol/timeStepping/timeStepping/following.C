@@ -19,7 +19,8 @@ Foam::aerosol::timeStepping::gasStep
 Foam::aerosol::timeStepping::outsideWakes
 (
     const group& one,
-    const std::vector<particlePair>& wakePairs
+    const std::vector<particlePair>& wakePairs,
+    const scalar h
 ) const
 {
     gasStep outside;
@@ -55,24 +56,31 @@ Foam::aerosol::timeStepping::outsideWakes
     (
         const vectors& w,
         const vectors& x,
-        const vectors& slip
+        const vectors& slip,
+        const scalar s
     )
     {
         vectors inside;
         with_.motion.wakes
         (
-            {x, slip, one.p.d, {}}, acting, one.p.size(), inside
+            {
+                x, slip, one.p.d, {},
+                with_.motion.quadrature(one.p.rate, one.gas, s, h)
+            },
+            acting,
+            one.p.size(),
+            inside
         );
 
         return vectors(w - inside);
     };
 
-    outside.u0 = less(one.wakes.u0, one.x.u0, one.slip.u0);
-    outside.u1 = less(one.wakes.u1, one.x.u1, one.slip.u1);
+    outside.u0 = less(one.wakes.u0, one.x.u0, one.slip.u0, 0);
+    outside.u1 = less(one.wakes.u1, one.x.u1, one.slip.u1, 1);
 
     if (one.wakes.um.cols())
     {
-        outside.um = less(one.wakes.um, one.x.um, one.slip.um);
+        outside.um = less(one.wakes.um, one.x.um, one.slip.um, 0.5);
     }
 
     return outside;
@@ -246,7 +254,7 @@ void Foam::aerosol::timeStepping::follow
     const scalar longest = h/one.nSteps;
 
     std::vector<particlePair> wakePairs = bothWays(one.contactPairs);
-    const gasStep outside = outsideWakes(one, wakePairs);
+    const gasStep outside = outsideWakes(one, wakePairs, h);
 
     equationOfMotion::state end;
     std::vector<char> leftOut(one.contactPairs.size(), 0);

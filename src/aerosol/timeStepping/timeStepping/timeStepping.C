@@ -505,6 +505,7 @@ void Foam::aerosol::timeStepping::wakesAt
     const vectors& x,
     const vectors& v,
     const vectors& u,
+    const vectors& quadrature,
     vectors& keptX,
     vectors& keptSlip,
     vectors& w
@@ -515,11 +516,21 @@ void Foam::aerosol::timeStepping::wakesAt
     sources_.x.leftCols(x.cols()) = keptX;
     sources_.slip.leftCols(x.cols()) = keptSlip;
 
-    wakeHalo_.fill
-    ({
+    std::vector<halo::quantity> quantities
+    {
         {sources_.x, wakeHalo_, true},
         {sources_.slip, wakeHalo_, false}
-    });
+    };
+
+    // Also where nobody is involved: all ranks exchange the same
+    if (with_.motion.wakeModel().omega() > 0)
+    {
+        sources_.quadrature.resize(3, sources_.x.cols());
+        sources_.quadrature.leftCols(x.cols()) = quadrature;
+        quantities.push_back({sources_.quadrature, wakeHalo_, false});
+    }
+
+    wakeHalo_.fill(quantities);
 
     with_.motion.wakes(sources_, wakePairs_, x.cols(), w);
 }
@@ -648,9 +659,14 @@ void Foam::aerosol::timeStepping::moveInWakes
     // The thermal velocity at the end is that of drag and noise alone
     motion.cool(h, q, there);
 
+    const auto quadratureAt = [&](const scalar s)
+    {
+        return motion.quadrature(q.rate, air, s, h);
+    };
+
     wakesAt
     (
-        q.x, motion.drift(q.v, q.thermal), air.u0,
+        q.x, motion.drift(q.v, q.thermal), air.u0, quadratureAt(0),
         wakesX_.u0, wakesSlip_.u0, w.u0
     );
     w.um.resize(3, 0);
@@ -663,6 +679,7 @@ void Foam::aerosol::timeStepping::moveInWakes
         wakesAt
         (
             there.x, motion.drift(there.v, there.thermal), air.u1,
+            quadratureAt(1),
             wakesX_.u1, wakesSlip_.u1, found
         );
         w.u1.swap(found);
@@ -696,7 +713,8 @@ void Foam::aerosol::timeStepping::moveInWakes
             wakesAt
             (
                 middle.x, motion.drift(middle.v, middle.thermal),
-                firstHalf.u1, wakesX_.um, wakesSlip_.um, found
+                firstHalf.u1, quadratureAt(0.5),
+                wakesX_.um, wakesSlip_.um, found
             );
             w.um.swap(found);
 

@@ -21,7 +21,11 @@ namespace aerosol
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::aerosol::OseenWake::OseenWake(const dictionary& dict)
+Foam::aerosol::OseenWake::OseenWake
+(
+    const dictionary& dict,
+    const wordList& others
+)
 :
     range_(readPositive(dict, "range", dimless, 0)),
     needsTolerance_(!dict.found("range") && !dict.found("tolerance")),
@@ -37,7 +41,9 @@ Foam::aerosol::OseenWake::OseenWake(const dictionary& dict)
             << exit(FatalIOError);
     }
 
-    requireOnly(dict, {"type", "range", "tolerance"});
+    wordList valid{"type", "range", "tolerance"};
+    valid.append(others);
+    requireOnly(dict, valid);
 }
 
 

@@ -1,0 +1,295 @@
+/*---------------------------------------------------------------------------*\
+    acousticDEM: acoustic agglomeration of aerosols
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "memoryWake.H"
+#include "addToRunTimeSelectionTable.H"
+#include "checkedEntry.H"
+#include "mathematicalConstants.H"
+
+#include <algorithm>
+#include <cmath>
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace aerosol
+{
+    defineTypeNameAndDebug(memoryWake, 0);
+    addToRunTimeSelectionTable(wake, memoryWake, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Powers of lambda in the series of A, B, D, which are used up to |lambda| =
+//  0.42: what is missing is below 1e-12
+constexpr int nPowers = 12;
+
+//- Coefficients of the powers of x = r/delta
+struct coefficients
+{
+    double reA[nPowers] = {};
+    double imA[nPowers] = {};
+    double reB[nPowers] = {};
+
+    // Over x^2
+    double imB[nPowers] = {};
+    double imD[nPowers] = {};
+    double reD[nPowers] = {};
+};
+
+
+constexpr coefficients series()
+{
+    coefficients c;
+
+    // (-1)^n/n! and the powers of 1 + i
+    double f = 1;
+    double re = 1;
+    double im = 0;
+
+    for (int n = 0; n < nPowers; ++n)
+    {
+        const double f1 = f/(n + 1);
+        const double f2 = f1/(n + 2);
+        const double a = 2*(f - f1 + f2);
+        const double b = -2*(f - 3*f1 + 3*f2);
+        const double d = 2*f*(1 - n);
+
+        c.reA[n] = a*re;
+        c.imA[n] = a*im;
+        c.reB[n] = b*re;
+
+        if (n >= 2)
+        {
+            c.imB[n - 2] = b*im;
+            c.imD[n - 2] = d*im;
+            c.reD[n - 2] = d*re;
+        }
+
+        f = -f1;
+        const double next = re - im;
+        im = re + im;
+        re = next;
+    }
+
+    return c;
+}
+
+
+Foam::aerosol::wake::blockScalars polynomial
+(
+    const double (&c)[nPowers],
+    const Foam::aerosol::wake::blockScalars& x
+)
+{
+    Foam::aerosol::wake::blockScalars sum = x*c[nPowers - 1];
+
+    for (int n = nPowers - 2; n > 0; --n)
+    {
+        sum = (sum + c[n])*x;
+    }
+
+    return sum + c[0];
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::aerosol::memoryWake::layer() const
+{
+    return std::sqrt(2*nu_/omega_);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::aerosol::memoryWake::memoryWake(const dictionary& dict)
+:
+    OseenWake(dict, {"frequency"}),
+    omega_
+    (
+        constant::mathematical::twoPi
+       *readPositive(dict, "frequency", dimless/dimTime, 0)
+    ),
+    nu_(0)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::aerosol::memoryWake::setSound
+(
+    const dictionary& dict,
+    const scalar omega,
+    const acoustics::gasProperties& gas
+)
+{
+    nu_ = gas.nu();
+
+    if (omega_ <= 0)
+    {
+        omega_ = omega;
+    }
+
+    if (omega_ <= 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Wakes with memory need to know the frequency of the sound,"
+            << " which has none: give 'frequency' [Hz], or take another 'type'"
+            << exit(FatalIOError);
+    }
+}
+
+
+Foam::aerosol::scalars Foam::aerosol::memoryWake::range
+(
+    const scalars& d,
+    const scalars& slip
+) const
+{
+    if (!(tolerance() > 0))
+    {
+        return OseenWake::range(d, slip);
+    }
+
+    const double delta = layer();
+    const double driftTolerance =
+        tolerance()/(10*constant::mathematical::pi);
+
+    scalars result(d.size());
+
+    for (int i = 0; i < result.size(); ++i)
+    {
+        const double a = 0.5*d(i);
+
+        // GREAT without drag
+        const double U = std::min(slip(i), 1e6);
+
+        const double Stokes = 1.5*a*U/tolerance();
+        const double dipole = std::cbrt(1.2*Stokes*delta*delta);
+        const double drift = 3.0/16*a*U*U/nu_/driftTolerance;
+
+        result(i) = std::max
+        (
+            std::min(Stokes, dipole),
+            drift > 1 ? delta*std::sqrt(std::sqrt(7.7*drift)) : 0.0
+        );
+
+        if (needsTolerance())
+        {
+            result(i) = std::min(result(i), 4*delta + 2*U/omega_);
+        }
+    }
+
+    return result;
+}
+
+
+void Foam::aerosol::memoryWake::evaluate
+(
+    block& pairs,
+    const acoustics::gasProperties& gas
+) const
+{
+    // Where the series are better than the differences
+    constexpr double small = 0.3;
+
+    const blockVectors& s = pairs.r;
+    const blockVectors& P = pairs.slip;
+    const blockVectors& Q = pairs.quadrature;
+
+    const blockScalars perDistance =
+        (s[0].square() + s[1].square() + s[2].square()).rsqrt();
+    const blockScalars n0 = s[0]*perDistance;
+    const blockScalars n1 = s[1]*perDistance;
+    const blockScalars n2 = s[2]*perDistance;
+
+    // a/r, one within the sphere
+    const blockScalars q = (pairs.radius*perDistance).min(1.0);
+    const blockScalars x = std::sqrt(0.5*omega_/gas.nu())*(pairs.radius/q);
+
+    // E = exp(-lambda); none is left at 40
+    const blockScalars large = x.max(small);
+    const blockScalars phase = large.min(40.0);
+    const blockScalars decay = (-phase).exp();
+    const blockScalars reE = decay*phase.cos();
+    const blockScalars imE = -decay*phase.sin();
+
+    // 1/lambda = h (1 - i)
+    const blockScalars h = 0.5/large;
+    const blockScalars hh = 2*h.square();
+    const blockScalars perSquare = 2*hh;
+
+    static constexpr coefficients c = series();
+    const blockScalars little = x.min(small);
+    const auto near = x < small;
+
+    const blockScalars reA = near.select
+    (
+        polynomial(c.reA, little),
+        2*(reE*(1 + h) + imE*(h + hh))
+    );
+    const blockScalars imA = near.select
+    (
+        polynomial(c.imA, little),
+        2*(imE*(1 + h) - reE*(h + hh) + hh)
+    );
+    const blockScalars reB = near.select
+    (
+        polynomial(c.reB, little),
+        -2*(reE*(1 + 3*h) + 3*imE*(h + hh))
+    );
+
+    // Over x^2
+    const blockScalars imB = near.select
+    (
+        polynomial(c.imB, little),
+        -2*perSquare*(imE*(1 + 3*h) - 3*reE*(h + hh) + 3*hh)
+    );
+    const blockScalars imD = near.select
+    (
+        polynomial(c.imD, little),
+        2*perSquare*(reE*large + imE*(1 + large))
+    );
+    const blockScalars reD = near.select
+    (
+        polynomial(c.reD, little),
+        2*perSquare*(reE*(1 + large) - imE*large - 1)
+    );
+
+    const blockScalars Pn = P[0]*n0 + P[1]*n1 + P[2]*n2;
+    const blockScalars Qn = Q[0]*n0 + Q[1]*n1 + Q[2]*n2;
+    const blockScalars square =
+        P[0].square() + P[1].square() + P[2].square();
+
+    const blockScalars Stokeslet = -0.75*q;
+    const blockScalars dipole = -0.25*q.cube();
+    const blockScalars drift = (-3.0/16/gas.nu())*pairs.radius;
+    const blockScalars across = 2*drift*(2*imB - imD);
+    const blockScalars turn = drift*reD;
+
+    const blockScalars alongP =
+        Stokeslet*reA + dipole + across*Pn + turn*Qn;
+    const blockScalars alongQ = -Stokeslet*imA - turn*Pn;
+    const blockScalars outward =
+        Stokeslet*(reB*Pn - x.square()*imB*Qn)
+      - 3*dipole*Pn
+      + 2*drift*((imD - 5*imB)*Pn.square() + imB*square);
+
+    pairs.velocity[0] = alongP*P[0] + alongQ*Q[0] + outward*n0;
+    pairs.velocity[1] = alongP*P[1] + alongQ*Q[1] + outward*n1;
+    pairs.velocity[2] = alongP*P[2] + alongQ*Q[2] + outward*n2;
+}
+
+
+// ************************************************************************* //
