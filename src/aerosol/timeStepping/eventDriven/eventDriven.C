@@ -564,13 +564,13 @@ void Foam::aerosol::eventDriven::tidy
 
     for (const int i : returned_)
     {
-        rooms_.check(i, p.x.col(i), (1 + margin)*0.5*p.d(i));
-
         if (withWakes && p.range(i) > listedRange_(i))
         {
             rooms_.shrink(i, p.range(i) - listedRange_(i));
             listedRange_(i) = p.range(i);
         }
+
+        rooms_.check(i, p.x.col(i), (1 + margin)*0.5*p.d(i));
     }
 
     const bool any =

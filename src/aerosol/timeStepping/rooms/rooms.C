@@ -60,7 +60,9 @@ double Foam::aerosol::rooms::make
 )
 {
     const int n = p.size();
-    const bool withWakes = wakeSpeed.size();
+
+    // Also on ranks without particles
+    const bool withWakes = bricks::max(wakeSpeed.size()) > 0;
     const bool crowded =
         bricks::max(withWakes && n ? -wakeSpeed.minCoeff() : -1.0) > 0;
     const double omega = 2*EIGEN_PI*frequency;

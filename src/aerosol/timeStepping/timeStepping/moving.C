@@ -219,6 +219,10 @@ void Foam::aerosol::timeStepping::moveAll
 
     motion.kick(h, p, step_, block(noise::whole, part), end.kick);
 
+    // Also where there are none, or none any more
+    end.x.resize(3, p.size());
+    end.v.resize(3, p.size());
+
     // As if there were no wakes, which is the end for most of them
     inRuns
     (
