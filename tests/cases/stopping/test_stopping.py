@@ -20,9 +20,10 @@ def wait(condition, seconds=60):
 def fixture_case(tmp_path):
     """An endless case whose sound is solved, with particles."""
     case = FoamCase("flyAshChamber", tmp_path/"case")
-    case.replace("constant/aerosolProperties", "5.2e12", "5e10")
-    case.replace("system/controlDict", r"100\.0/", "10000.0/")
-    case.replace("system/controlDict", "2000;", "1000;")
+    case.replace("constant/aerosolProperties", "2.4e11", "1e10")
+    case.replace("constant/acousticProperties", "60.0/", "100000.0/")
+    case.replace("system/controlDict", r"5600\.0/", "100000.0/")
+    case.replace("system/controlDict", "70000;", "1000;")
     case.run("blockMesh")
 
     # Edits within fileModificationSkew, 10 s, of the last one are not seen
@@ -50,7 +51,7 @@ def fixture_run(case):
 def times(case):
     """Numbers of the steps that are written, except 0."""
     return sorted(
-        round(float(path.parent.name)*1400*200)
+        round(float(path.parent.name)*1400*50)
         for path in case.path.glob("[0-9]*/U") if path.parent.name[-1] != "g"
     )[1:]
 
@@ -61,12 +62,12 @@ def goes_on(case):
     case.replace("system/controlDict", r"stopAt [^;]*;", "stopAt endTime;")
     case.replace(
         "system/controlDict", r"endTime  [^;]*;",
-        f"endTime #eval{{ {last + 3}.0/(200*$frequency) }};",
+        f"endTime #eval{{ {last + 3}.0/(50*$frequency) }};",
     )
     log = case.run("acousticDEMFoam")
     assert log.rstrip().endswith("End")
     first = float(log.split("Create mesh for time = ")[1].split()[0])
-    assert round(first*1400*200) == last
+    assert round(first*1400*50) == last
 
 
 def test_stopAt_writeNow(case, run):
