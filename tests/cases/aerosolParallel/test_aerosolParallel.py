@@ -186,6 +186,31 @@ def test_ranks_without_particles(tmp_path, meshed, stepping):
     assert_same(*clouds)
 
 
+@pytest.mark.parametrize("stepping", [
+    STEPPINGS["eventDriven"], STEPPINGS["multipleTimeStep"]
+])
+def test_a_rank_that_runs_empty(tmp_path, meshed, stepping):
+    """Two on either side of the middle meet; a rank loses its only particle."""
+    clouds = []
+
+    for ranks in (1, 2, 4):
+        case = AerosolCase(tmp_path/f"ranks{ranks}", meshed)
+        case.model("timeStepping", stepping)
+        case.aerosol("length", "0.5e-3")
+        case.particles(
+            [
+                ((61.293e-3, -0.5e-6, -0.5e-6), 8e-6),
+                ((61.307e-3, 0.5e-6, 0.5e-6), 4e-6),
+            ]
+        )
+        clouds.append(run_on(case, ranks))
+        assert case.table()["contacts"][-1] == 1
+
+    assert clouds[0][0]["d"].size == 1
+    for other in clouds[1:]:
+        assert_same(clouds[0], other)
+
+
 def test_ranks_that_feel_no_wakes(tmp_path, meshed):
     """Two close together, and one far away, on a rank of its own or not."""
     clouds = []
