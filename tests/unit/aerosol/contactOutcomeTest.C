@@ -8,6 +8,7 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
+#include "coalescence.H"
 #include "criticalVelocity.H"
 #include "measured.H"
 #include "probability.H"
@@ -101,6 +102,49 @@ double deepestOverlap(const experiment& crowd)
 
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(coalescence, endsWhereDropsGraze)
+{
+    // O'Rourke: sin^2(theta) = 2.4 f/We; f = 1.3 for equal drops and 3.8 for
+    // twice the diameter
+    const coalescence water
+    (
+        parse("type coalescence; surfaceTension 0.07;")
+    );
+    const double speed = 6;
+
+    for (const auto& [d1, d2, f] :
+    {
+        std::tuple{50e-6, 50e-6, 1.3}, std::tuple{100e-6, 50e-6, 3.8}
+    })
+    {
+        const double We = 1000*speed*speed*0.5*50e-6/0.07;
+        const double limit = std::asin(std::sqrt(2.4*f/We));
+
+        const auto sticks = [&](const double angle)
+        {
+            const vec v =
+                speed*vec(std::cos(angle), std::sin(angle), 0);
+
+            particleArrays p = two(d1, d2, 0, v, vec::Zero());
+            p.m *= 1000/density;
+
+            return water.sticks
+            (
+                p,
+                {
+                    0, 1, p.x.col(0), p.x.col(1), vec::Zero(), v,
+                    vec::Zero(), 0
+                }
+            );
+        };
+
+        EXPECT_TRUE(sticks(0));
+        EXPECT_TRUE(sticks(0.999*limit));
+        EXPECT_FALSE(sticks(1.001*limit));
+    }
+}
+
 
 TEST(criticalVelocity, takesTheEnergyOfAdhesion)
 {
