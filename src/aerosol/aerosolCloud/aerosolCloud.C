@@ -412,7 +412,7 @@ void Foam::aerosol::aerosolCloud::checkRanges() const
         }
     };
 
-    requireRange("range of contact", particles_.d.maxCoeff(), "");
+    requireRange("range of contact", particles_.collision.maxCoeff(), "");
     requireRange
     (
         "range of the wakes",
@@ -500,16 +500,17 @@ void Foam::aerosol::aerosolCloud::checkBrownian() const
        *motion_.reach(mesh_.time().deltaTValue(), particles_).x;
 
     Eigen::Index i;
-    const scalar most = (ways/particles_.d).maxCoeff(&i);
+    const scalar most = (ways/particles_.collision).maxCoeff(&i);
 
     Info<< "Brownian motion in a fluid step, of two alike relative to one"
         << " another: at most " << most << " diameters, at "
-        << particles_.d(i) << " m" << nl;
+        << particles_.collision(i) << " m" << nl;
 
     if (most > 4)
     {
         WarningInFunction
-            << "In one fluid step, particles of " << particles_.d(i) << " m"
+            << "In one fluid step, particles of " << particles_.collision(i)
+            << " m"
             << " stray by " << most << " of their diameters relative to one"
             << " another: eventDriven resolves up to four, and misses contacts"
             << " beyond. Reduce deltaT" << endl;
@@ -519,16 +520,21 @@ void Foam::aerosol::aerosolCloud::checkBrownian() const
 
 void Foam::aerosol::aerosolCloud::checkGrowth()
 {
-    const scalar range =
-        bricks::max(particles_.size() ? particles_.range.maxCoeff() : 0.0);
+    const scalar range = bricks::max
+    (
+        particles_.size()
+      ? std::max(particles_.range.maxCoeff(), particles_.collision.maxCoeff())
+      : 0.0
+    );
 
     if (!outgrown_ && 2*range > domain_->bounds().minDim())
     {
         WarningInFunction
             << "At time " << mesh_.time().timeName() << " the largest aggregate"
-            << " has grown so far that twice the range of its wake, " << range
-            << " m, exceeds the shortest edge of the domain: its neighbours"
-            << " feel it together with its periodic images from now on" << endl;
+            << " has grown so far that twice the range of its wake or its"
+            << " diameter, " << range << " m, exceeds the shortest edge of the"
+            << " domain: its neighbours feel it together with its periodic"
+            << " images from now on" << endl;
 
         outgrown_ = true;
     }

@@ -68,6 +68,7 @@ void Foam::aerosol::agglomerationTables::writeAgglomerationHeader
     );
     writeHeader(os, "CMD, MMD        count and mass median diameter");
     writeHeader(os, "GSD             geometric standard deviation of d");
+    writeHeader(os, "Diameters of aggregates: of the spheres of their volumes");
 
     writeCommented(os, "time[s]");
 

@@ -70,6 +70,8 @@ void Foam::aerosol::particleArrays::resize(const int n)
     rate.resize(0);
     acceleration.resize(3, 0);
     range.resize(0);
+    mobility.resize(0);
+    collision.resize(0);
 }
 
 
@@ -78,6 +80,8 @@ void Foam::aerosol::particleArrays::resizeLaws()
     rate.resize(size());
     acceleration.resize(3, size());
     range.resize(size());
+    mobility.resize(size());
+    collision.resize(size());
 }
 
 
@@ -108,6 +112,8 @@ void Foam::aerosol::particleArrays::reorder(const std::vector<int>& indices)
         one(rate);
         three(acceleration);
         one(range);
+        one(mobility);
+        one(collision);
     }
 }
 
@@ -131,6 +137,8 @@ void Foam::aerosol::particleArrays::pack(const int i, double* numbers) const
     numbers[11] = range(i);
     Eigen::Map<Eigen::Vector3d>(numbers + 12) = acceleration.col(i);
     Eigen::Map<Eigen::Vector3d>(numbers + 15) = thermal.col(i);
+    numbers[18] = mobility(i);
+    numbers[19] = collision(i);
 }
 
 
@@ -146,6 +154,8 @@ void Foam::aerosol::particleArrays::unpack(const int i, const double* numbers)
     range(i) = numbers[11];
     acceleration.col(i) = Eigen::Map<const Eigen::Vector3d>(numbers + 12);
     thermal.col(i) = Eigen::Map<const Eigen::Vector3d>(numbers + 15);
+    mobility(i) = numbers[18];
+    collision(i) = numbers[19];
 }
 
 
@@ -169,6 +179,8 @@ Foam::aerosol::particleArrays Foam::aerosol::particleArrays::select
         chosen.rate = rate(indices);
         chosen.acceleration = acceleration(Eigen::all, indices);
         chosen.range = range(indices);
+        chosen.mobility = mobility(indices);
+        chosen.collision = collision(indices);
     }
 
     return chosen;
@@ -194,6 +206,8 @@ void Foam::aerosol::particleArrays::remove(const std::vector<char>& marked)
         apply(rate, all, n);
         apply(acceleration, all, n);
         apply(range, all, n);
+        apply(mobility, all, n);
+        apply(collision, all, n);
     }
 }
 

@@ -231,7 +231,10 @@ def test_ranks_that_feel_no_wakes(tmp_path, meshed):
     assert_same(*clouds)
 
 
-def test_continues_on_other_ranks(tmp_path, meshed):
+@pytest.mark.parametrize("aggregate", [
+    "type equivalentSphere;", "type fractal; dimension 1.8;",
+])
+def test_continues_on_other_ranks(tmp_path, meshed, aggregate):
     """Half of a run on one rank, the other half on three."""
     step = 2**-17  # exact in the name of a time
     clouds = []
@@ -239,6 +242,7 @@ def test_continues_on_other_ranks(tmp_path, meshed):
     for name in ("whole", "parts"):
         case = AerosolCase(tmp_path/name, meshed)
         case.model("timeStepping", STEPPINGS["eventDriven"])
+        case.model("aggregate", aggregate)
         case.aerosol("numberConcentration", "30e12")
         case.control("deltaT", repr(step))
         case.control("writeInterval", "10")

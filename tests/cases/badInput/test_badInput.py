@@ -125,6 +125,15 @@ BAD = {
         ACOUSTIC, "SPL", "gas { mu -1; } SPL", "'mu' .* is -1, .* positive",
     ),
 
+    "fractalLine": (
+        AEROSOL, r"type +equivalentSphere;", "type fractal; dimension 1;",
+        "'dimension' .* is 1, .* above 1, up to 3",
+    ),
+    "fractalDrag": (
+        AEROSOL, r"type +equivalentSphere;",
+        "type fractal; dimension 1.8; mobilityExponent 2;",
+        "'mobilityExponent' .* is 2, .* 1/3 to 1",
+    ),
     "negativeAdhesion": (
         AEROSOL, r"type +stick;",
         "type criticalVelocity; workOfAdhesion -1; YoungsModulus 70e9;",

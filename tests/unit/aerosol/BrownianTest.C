@@ -362,6 +362,7 @@ TEST(Brownian, diffusesAsEinsteinSays)
 
     particleArrays p = cloud(n, 1000*pi/6*d*d*d);
     p.d.setConstant(d);
+    p.mobility = p.d;
 
     const scalars rate = drag::New
     (

@@ -51,6 +51,7 @@ particleArrays spheres(const std::vector<double>& d, const double density)
 
     p.x.setZero();
     p.v.setZero();
+    p.mobility = p.d;
 
     return p;
 }

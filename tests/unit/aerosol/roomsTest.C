@@ -48,6 +48,8 @@ struct swing
             p.rate(i) = 18*1.81e-5/(2300*p.d(i)*p.d(i));
             p.acceleration.col(i).setZero();
             p.range(i) = 0;
+            p.mobility(i) = p.d(i);
+            p.collision(i) = p.d(i);
             middle.col(i) = random.point(0.5e-3);
         }
 

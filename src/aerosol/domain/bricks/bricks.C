@@ -182,6 +182,8 @@ Foam::aerosol::bricks::gather(const particleArrays& own)
         from.rate.setZero();
         from.acceleration.setZero();
         from.range.setZero();
+        from.mobility.setZero();
+        from.collision.setZero();
     }
 
     std::vector<double> mine(own.size()*length);

@@ -5,6 +5,7 @@
 
 #include "equationOfMotion.H"
 #include "IStringStream.H"
+#include "noAggregate.H"
 
 #include <algorithm>
 #include <cmath>
@@ -133,6 +134,12 @@ Foam::aerosol::equationOfMotion::equationOfMotion
     gas_(gas),
     drag_(drag::New(dict.subDict("drag"))),
     gravity_(gravity::New(dict.subDict("gravity"))),
+    aggregate_
+    (
+        dict.found("aggregate")
+      ? aggregate::New(dict.subDict("aggregate"))
+      : autoPtr<aggregate>(new noAggregate(dict))
+    ),
     wake_(wake::New(dict.subDict("wake"))),
     Brownian_
     (
@@ -146,6 +153,19 @@ Foam::aerosol::equationOfMotion::equationOfMotion
     slips_(slips)
 {
     wake_->setSound(dict.subDict("wake"), slips_.omega(), gas_);
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::aerosol::equationOfMotion::size
+(
+    particleArrays& p,
+    const int i
+) const
+{
+    p.mobility(i) = aggregate_->mobilityDiameter(p.d(i), p.primaries(i));
+    p.collision(i) = aggregate_->collisionDiameter(p.d(i), p.primaries(i));
 }
 
 
@@ -305,7 +325,7 @@ void Foam::aerosol::equationOfMotion::move
 
             for (int l = 0; l < size; ++l)
             {
-                Re(l) = p.d(i0 + l)*slip(l)/gas_.nu();
+                Re(l) = p.mobility(i0 + l)*slip(l)/gas_.nu();
             }
 
             rate *= drag_->factor(Re);
@@ -499,15 +519,22 @@ Foam::aerosol::vectors Foam::aerosol::equationOfMotion::drift
 
 void Foam::aerosol::equationOfMotion::chooseTolerance(const particleArrays& p)
 {
+    particleArrays sized(p);
+    sized.resizeLaws();
+    for (int i = 0; i < sized.size(); ++i)
+    {
+        size(sized, i);
+    }
+
     wake_->setTolerance
     (
         slips_.tolerance
         (
-            p.d,
+            sized.mobility,
             slipBound::settling
             (
-                drag_->StokesRate(p, gas_),
-                gravity_->acceleration(p, gas_)
+                drag_->StokesRate(sized, gas_),
+                gravity_->acceleration(sized, gas_)
             )
         )
     );
@@ -520,6 +547,8 @@ void Foam::aerosol::equationOfMotion::refresh
     const int i
 ) const
 {
+    size(particles, i);
+
     const particleArrays one = particles.select({i});
 
     particles.rate(i) = drag_->StokesRate(one, gas_)(0);
@@ -530,7 +559,7 @@ void Foam::aerosol::equationOfMotion::refresh
         scalars::Constant(1, particles.rate(i)),
         particles.acceleration.col(i)
     );
-    const scalar range = wake_->range(one.d, slip)(0);
+    const scalar range = wake_->range(one.mobility, slip)(0);
 
     particles.range(i) =
         wake_->needsTolerance() && !wake_->ends()
@@ -744,7 +773,7 @@ void Foam::aerosol::equationOfMotion::wakes
 {
     wakes
     (
-        {x, u - v, particles.d, particles.range, quadrature},
+        {x, u - v, particles.mobility, particles.range, quadrature},
         pairs,
         particles.size(),
         w

@@ -110,14 +110,16 @@ void Foam::aerosol::eventDriven::list
     const acoustics::soundField& sound = with_.sound;
     const bool Brownian = with_.motion.hasBrownian();
 
-    // A merger may double the volume
-    scalars least = 1.3*(1 + margin)*0.5*p.d;
+    // Two alike may merge
+    scalars least = with_.motion.growth()*(1 + margin)*0.5*p.collision;
 
     if (Brownian)
     {
         const Brownian::extent reach = with_.motion.reach(h, p);
 
-        least = least.max(0.5*p.d + strays*reach.stray.sqrt()) + 2*reach.x;
+        least =
+            least.max(0.5*p.collision + strays*reach.stray.sqrt())
+          + 2*reach.x;
     }
 
     // Where they are about to go, in wakes as they are now
@@ -211,7 +213,7 @@ Foam::aerosol::scalars Foam::aerosol::eventDriven::wakesNow
         const double s = omega/p.rate(j);
         const double slip = s/std::sqrt(1 + s*s)*u0;
 
-        strength(j) = 0.5*p.d(j)*slip;
+        strength(j) = 0.5*p.mobility(j)*slip;
 
         if (omega > 0 && reach(j) > 0)
         {
@@ -250,7 +252,7 @@ Foam::aerosol::scalars Foam::aerosol::eventDriven::wakesNow
         const double r = (p.x.col(pair.i) - xj.col(column)).norm();
 
         speed(pair.i) +=
-            1.5*strength(pair.j)/std::max(r, 0.5*p.d(pair.i));
+            1.5*strength(pair.j)/std::max(r, 0.5*p.collision(pair.i));
     }
 
     involve(p, true);
@@ -396,8 +398,8 @@ std::vector<int> Foam::aerosol::eventDriven::findEncounters
     {
         return sphereOf
         (
-            p.x.col(i), start.col(i), end.x.col(i), final.col(i), p.d(i),
-            Brownian ? stray(i) : 0.0
+            p.x.col(i), start.col(i), end.x.col(i), final.col(i),
+            p.collision(i), Brownian ? stray(i) : 0.0
         );
     };
 
@@ -413,7 +415,7 @@ std::vector<int> Foam::aerosol::eventDriven::findEncounters
     scalars extra;
     if (Brownian)
     {
-        extra = 0.5*p.d + strays*stray.sqrt();
+        extra = 0.5*p.collision + strays*stray.sqrt();
     }
 
     const bool held = rooms_.hold
@@ -470,7 +472,7 @@ std::vector<int> Foam::aerosol::eventDriven::findEncounters
         Eigen::Vector3d chord = p.x.col(i) - end.x.col(i);
         Eigen::Vector3d v0 = -start.col(i);
         Eigen::Vector3d v1 = -final.col(i);
-        double radii = 0.5*p.d(i);
+        double radii = 0.5*p.collision(i);
 
         if (j < n)
         {
@@ -478,7 +480,7 @@ std::vector<int> Foam::aerosol::eventDriven::findEncounters
             chord += end.x.col(j) - p.x.col(j);
             v0 += start.col(j);
             v1 += final.col(j);
-            radii += 0.5*p.d(j);
+            radii += 0.5*p.collision(j);
         }
         else
         {
@@ -570,7 +572,7 @@ void Foam::aerosol::eventDriven::tidy
             listedRange_(i) = p.range(i);
         }
 
-        rooms_.check(i, p.x.col(i), (1 + margin)*0.5*p.d(i));
+        rooms_.check(i, p.x.col(i), (1 + margin)*0.5*p.collision(i));
     }
 
     const bool any =

@@ -263,7 +263,7 @@ bool Foam::aerosol::rooms::hold
             }
 
             room(l) = size_(i);
-            own(l) = 0.5*radii*p.d(i);
+            own(l) = 0.5*radii*p.collision(i);
         }
 
         if (extra.size())

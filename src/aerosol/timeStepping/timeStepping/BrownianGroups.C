@@ -278,7 +278,7 @@ void Foam::aerosol::timeStepping::collide
 
         const particlePath a = pathFrom(i, first);
         const particlePath b = pathFrom(j, first).moved(shift(pair));
-        const double touch = 0.5*(p.d(i) + p.d(j));
+        const double touch = 0.5*(p.collision(i) + p.collision(j));
         const double variance = (all.stray(i) + all.stray(j))*length;
 
         if (a.staysAwayFrom(b, touch + nDeviations*std::sqrt(variance)))

@@ -64,7 +64,7 @@ Foam::aerosol::timeStepping::outsideWakes
         with_.motion.wakes
         (
             {
-                x, slip, one.p.d, {},
+                x, slip, one.p.mobility, {},
                 with_.motion.quadrature(one.p.rate, one.gas, s, h)
             },
             acting,
@@ -141,7 +141,7 @@ std::pair<Foam::scalar, int> Foam::aerosol::timeStepping::firstContact
             p.x.col(j) + shift(pair), p.v.col(j),
             end.x.col(j) + shift(pair), end.v.col(j), h
         );
-        const double touch = 0.5*(p.d(i) + p.d(j));
+        const double touch = 0.5*(p.collision(i) + p.collision(j));
 
         if (a.staysAwayFrom(b, touch))
         {
@@ -296,7 +296,8 @@ void Foam::aerosol::timeStepping::follow
 
         // To the contact, by the motion itself rather than by its path
         const particlePair pair = one.contactPairs[found.second];
-        const double touch = 0.5*(p.d(pair.i) + p.d(pair.j));
+        const double touch =
+            0.5*(p.collision(pair.i) + p.collision(pair.j));
         scalar when = found.first;
 
         for (int n = 0; n < 5 && when > 1e-9*longest; ++n)

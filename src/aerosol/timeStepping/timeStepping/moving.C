@@ -139,7 +139,7 @@ void Foam::aerosol::timeStepping::involve
     sources_.x.resize(3, wakeHalo_.size());
     sources_.slip.resize(3, wakeHalo_.size());
 
-    sources_.d = p.d(involved_);
+    sources_.d = p.mobility(involved_);
     std::vector<halo::quantity> quantities{{sources_.d, wakeHalo_}};
 
     sources_.range.resize(0);

@@ -419,7 +419,7 @@ void Foam::aerosol::timeStepping::fillPaths
         {Brownian ? end.path0 : p.v, copiesV0_, contactHalo_, false},
         {end.x, copiesX1_, contactHalo_, true},
         {Brownian ? end.path1 : end.v, copiesV1_, contactHalo_, false},
-        {p.d, copiesD_, contactHalo_}
+        {p.collision, copiesD_, contactHalo_}
     };
 
     if (Brownian)
@@ -480,7 +480,7 @@ void Foam::aerosol::timeStepping::search
     // next step.
     const scalar drawn = with_.motion.hasWakes() ? 2*furthest : 0;
 
-    searchContacts(p, p.x, 0.5*p.d + way + drawn);
+    searchContacts(p, p.x, 0.5*p.collision + way + drawn);
     effort_.contactPairs += contactPairs_.size();
 }
 
@@ -559,8 +559,8 @@ bool Foam::aerosol::timeStepping::meet
         const int j = contactPairs_[k].j;
         const int n = contactHalo_.n();
 
-        const scalar dj = j < n ? p.d(j) : copiesD_(j - n);
-        const scalar touch = 0.5*(p.d(i) + dj);
+        const scalar dj = j < n ? p.collision(j) : copiesD_(j - n);
+        const scalar touch = 0.5*(p.collision(i) + dj);
 
         const particlePath a = pathOf(p, end, i, h);
         const particlePath b = pathOf(p, end, j, h);

@@ -37,7 +37,8 @@ Foam::aerosol::scalars Foam::aerosol::StokesDrag::StokesRate
     const gasProperties& gas
 ) const
 {
-    return 3*EIGEN_PI*gas.mu*p.d/(p.m*slip_->factor(p.d, gas));
+    return
+        3*EIGEN_PI*gas.mu*p.mobility/(p.m*slip_->factor(p.mobility, gas));
 }
 
 
