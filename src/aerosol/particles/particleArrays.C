@@ -70,6 +70,27 @@ void Foam::aerosol::particleArrays::resize(const int n)
     rate.resize(0);
     acceleration.resize(3, 0);
     range.resize(0);
+
+    resizeHistory(history.rows());
+}
+
+
+void Foam::aerosol::particleArrays::resizeHistory(const int rows)
+{
+    history.setZero(rows, size());
+    unsteady.setZero(3, rows ? size() : 0);
+}
+
+
+void Foam::aerosol::particleArrays::mergeHistory(const int i, const int j)
+{
+    if (history.rows())
+    {
+        const double share = m(j)/(m(i) + m(j));
+
+        history.col(i) += share*(history.col(j) - history.col(i));
+        unsteady.col(i) += share*(unsteady.col(j) - unsteady.col(i));
+    }
 }
 
 
@@ -90,7 +111,7 @@ void Foam::aerosol::particleArrays::reorder(const std::vector<int>& indices)
     {
         values = values(indices).eval();
     };
-    const auto three = [&](vectors& values)
+    const auto three = [&](auto& values)
     {
         values = values(Eigen::all, indices).eval();
     };
@@ -108,6 +129,12 @@ void Foam::aerosol::particleArrays::reorder(const std::vector<int>& indices)
         one(rate);
         three(acceleration);
         one(range);
+    }
+
+    if (history.rows())
+    {
+        three(unsteady);
+        three(history);
     }
 }
 
@@ -131,6 +158,15 @@ void Foam::aerosol::particleArrays::pack(const int i, double* numbers) const
     numbers[11] = range(i);
     Eigen::Map<Eigen::Vector3d>(numbers + 12) = acceleration.col(i);
     Eigen::Map<Eigen::Vector3d>(numbers + 15) = thermal.col(i);
+
+    if (history.rows())
+    {
+        numbers += nNumbers;
+
+        Eigen::Map<Eigen::Vector3d>(numbers + 0) = unsteady.col(i);
+        Eigen::Map<Eigen::VectorXd>(numbers + 3, history.rows()) =
+            history.col(i);
+    }
 }
 
 
@@ -146,6 +182,15 @@ void Foam::aerosol::particleArrays::unpack(const int i, const double* numbers)
     range(i) = numbers[11];
     acceleration.col(i) = Eigen::Map<const Eigen::Vector3d>(numbers + 12);
     thermal.col(i) = Eigen::Map<const Eigen::Vector3d>(numbers + 15);
+
+    if (history.rows())
+    {
+        numbers += nNumbers;
+
+        unsteady.col(i) = Eigen::Map<const Eigen::Vector3d>(numbers);
+        history.col(i) =
+            Eigen::Map<const Eigen::VectorXd>(numbers + 3, history.rows());
+    }
 }
 
 
@@ -171,6 +216,12 @@ Foam::aerosol::particleArrays Foam::aerosol::particleArrays::select
         chosen.range = range(indices);
     }
 
+    if (history.rows())
+    {
+        chosen.unsteady = unsteady(Eigen::all, indices);
+        chosen.history = history(Eigen::all, indices);
+    }
+
     return chosen;
 }
 
@@ -194,6 +245,12 @@ void Foam::aerosol::particleArrays::remove(const std::vector<char>& marked)
         apply(rate, all, n);
         apply(acceleration, all, n);
         apply(range, all, n);
+    }
+
+    if (history.rows())
+    {
+        apply(unsteady, all, n);
+        apply(history, all, n);
     }
 }
 
