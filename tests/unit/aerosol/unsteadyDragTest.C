@@ -19,8 +19,8 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "BassetDrag.H"
+#include "error.H"
 #include "measured.H"
-#include "quiescent.H"
 #include "timeSteppingTools.H"
 
 #include <gtest/gtest.h>
@@ -60,12 +60,13 @@ phasor exactResponse(const double d, const double omega)
 }
 
 
-//- Those of all sizes, in gas that swings along x with unit amplitude
+//- Those of all sizes, in gas that swings along x with the amplitude u
 std::vector<phasor> responses
 (
     settings law,
     const double f,
-    const int steps
+    const int steps,
+    const double u
 )
 {
     const double omega = 2*pi*f;
@@ -82,11 +83,11 @@ std::vector<phasor> responses
         spheres.push_back
         ({
             n, d, density, {0, 1e-3*n, 0},
-            {exactResponse(d, omega).imag(), 0, 0}
+            {u*exactResponse(d, omega).imag(), 0, 0}
         });
     }
 
-    experiment e(arrays(spheres), 10e-3, law, f, vec(1, 0, 0));
+    experiment e(arrays(spheres), 10e-3, law, f, vec(u, 0, 0));
 
     const double h = 1/(f*steps);
 
@@ -119,8 +120,8 @@ std::vector<phasor> responses
     std::vector<phasor> result;
     for (int i = 0; i < fit.cols(); ++i)
     {
-        // u = sin(omega t)
-        result.push_back(phasor(fit(4, i), fit(3, i)));
+        // Of gas with u sin(omega t)
+        result.push_back(phasor(fit(4, i), fit(3, i))/u);
     }
 
     return result;
@@ -202,7 +203,7 @@ TEST(unsteadyDrag, hasTheResponseOfSlowFlow)
         for (const double f : frequencies)
         {
             const std::vector<phasor> response =
-                responses(unsteadyLaw(one.text), f, one.steps);
+                responses(unsteadyLaw(one.text), f, one.steps, 1);
 
             for (std::size_t i = 0; i < diameters.size(); ++i)
             {
@@ -240,6 +241,280 @@ TEST(unsteadyDrag, hasTheResponseOfSlowFlow)
         EXPECT_LT(phase, 5e-3);
         EXPECT_GT(Stokes, 0.4);
     }
+}
+
+
+TEST(unsteadyDrag, isTheSameWhereDragIsNearlyLinear)
+{
+    const double f = 2000;
+    const double omega = 2*pi*f;
+
+    // At these Reynolds numbers drag is that of Stokes, but for 1e-5
+    settings law = unsteadyLaw(eventDriven);
+    law.drag = "type SchillerNaumann; slipCorrection none;";
+
+    const std::vector<phasor> response = responses(law, f, 50, 1e-6);
+
+    for (std::size_t i = 0; i < diameters.size(); ++i)
+    {
+        const phasor off = response[i]/exactResponse(diameters[i], omega);
+
+        EXPECT_LT(std::abs(off - 1.0), 1e-3) << diameters[i];
+    }
+}
+
+
+TEST(unsteadyDrag, settlesAsTheExactSolution)
+{
+    const gasProperties gas = gasProperties::air();
+    const double d = 20e-6;
+
+    // The latter as light as a bubble of glass, for which history counts
+    for (const double solid : {2300.0, 50.0})
+    {
+        const double tau = relaxationTime(d, solid);
+        const double share = gas.rho/solid;
+        const double k = 1/tau;
+        const double alpha = 1 + 0.5*share;
+        const double c = std::sqrt(4.5*share*k);
+        const double g = 9.81*(1 - share);
+
+        // Of exp(-q^2 t), by Simpson's rule
+        const auto exact = [&](const double t)
+        {
+            const int n = 200000;
+            const double most = 200*std::sqrt(k);
+            double sum = 0;
+
+            for (int j = 0; j <= n; ++j)
+            {
+                const double q = j*most/n;
+                const double r = k - alpha*q*q;
+
+                sum +=
+                    (j == 0 || j == n ? 1 : j % 2 ? 4 : 2)
+                   *k*c*std::exp(-q*q*t)/(r*r + c*c*q*q);
+            }
+
+            return g*tau*(1 - 2/pi*sum*most/n/3);
+        };
+
+        settings law = unsteadyLaw(eventDriven);
+        law.gravity = "type uniform; value (0 0 -9.81);";
+
+        std::ostringstream text;
+        text<< "type Basset; frequencies (" << 2e-3/tau << " " << 20/tau
+            << ");";
+        law.unsteadyDrag = text.str();
+
+        experiment e(arrays({{0, d, solid, {0, 0, 0}, {0, 0, 0}}}), 10e-3, law);
+
+        const int steps = 20;
+        double worst = 0;
+
+        for (const int taus : {1, 1, 1, 2, 5, 10})
+        {
+            e.run(tau/steps, taus*steps);
+
+            const double off = -e.p.v(2, 0)/exact(e.t) - 1;
+
+            measured
+            (
+                "%.0f kg/m3, %2.0f tau: %.4f of the end, %+.3f %% (Stokes'"
+                " drag alone: %.4f)\n",
+                solid, e.t/tau, exact(e.t)/(g*tau), 100*off,
+                -std::expm1(-e.t/tau)
+            );
+
+            worst = std::max(worst, std::abs(off));
+        }
+
+        EXPECT_LT(worst, 2e-3) << solid;
+    }
+}
+
+
+TEST(unsteadyDrag, isThatOfTheDriftInBrownianMotion)
+{
+    vectors drifts[2];
+
+    for (const bool Brownian : {false, true})
+    {
+        settings law = unsteadyLaw(eventDriven);
+        law.unsteadyDrag += " frequencies (140 28000);";
+
+        if (Brownian)
+        {
+            law.Brownian = "type OrnsteinUhlenbeck;";
+        }
+
+        experiment e
+        (
+            arrays
+            ({
+                {0, 0.5e-6, density, {0, 0, 0}, {0, 0, 0}},
+                {1, 10e-6, density, {0, 1e-3, 0}, {0, 0, 0}}
+            }),
+            10e-3, law, 1400, vec(1, 0, 0)
+        );
+        e.run(1/(1400*50.0), 75);
+
+        drifts[Brownian] = e.p.v - e.p.thermal;
+    }
+
+    EXPECT_LT((drifts[1] - drifts[0]).norm(), 1e-12);
+    EXPECT_GT(drifts[0].norm(), 0.1);
+}
+
+
+TEST(unsteadyDrag, hasOneHistoryForTwoThatMerge)
+{
+    for (const std::string& stepping : {eventDriven, multipleTimeStep})
+    {
+        settings law = unsteadyLaw(stepping);
+        law.unsteadyDrag += " frequencies (140 28000);";
+        law.contact = "type recordedStick;";
+
+        const std::vector<sphere> two
+        {
+            {0, 5e-6, density, {0, 0, 0}, {0, 0, 0}},
+            {1, 8e-6, density, {10e-6, 0, 0}, {0, 0, 0}}
+        };
+
+        experiment e(arrays(two), 1e-3, law, 1400, vec(1, 0, 0));
+
+        // What both had before; apart, nothing of it would change in a step
+        // but by the step itself
+        law.contact = "type none;";
+        experiment apart(arrays(two), 1e-3, law, 1400, vec(1, 0, 0));
+
+        const double h = 1/(1400*100.0);
+
+        while (e.p.size() == 2 && e.step < 100)
+        {
+            e.run(h, 1);
+            apart.run(h, 1);
+        }
+
+        ASSERT_EQ(e.p.size(), 1);
+        EXPECT_GT(e.step, 2);
+
+        const Eigen::VectorXd sum =
+            apart.p.history*apart.p.m.matrix()/apart.p.m.sum();
+
+        EXPECT_LT
+        (
+            (e.p.history.col(0) - sum).tail(sum.size() - 1).norm(),
+            1e-12*sum.tail(sum.size() - 1).norm()
+        );
+        EXPECT_EQ(e.p.history(0, 0), h);
+
+        // No jump in what follows: of the order of what it was before
+        const double before = apart.p.unsteady.col(1).norm();
+        e.run(h, 1);
+        EXPECT_LT(e.p.unsteady.col(0).norm(), 2*before);
+    }
+}
+
+
+TEST(unsteadyDrag, isCarriedAlongWithTheParticle)
+{
+    const auto make = [](const int n)
+    {
+        particleArrays p;
+        p.resizeHistory(7);
+        p.resize(n);
+        p.resizeLaws();
+        p.rate.setOnes();
+        p.range.setOnes();
+        p.acceleration.setOnes();
+        p.x.setOnes();
+        p.v.setOnes();
+        p.d.setOnes();
+        p.m.setOnes();
+        p.primaries.setOnes();
+
+        for (int i = 0; i < n; ++i)
+        {
+            p.id(i) = i;
+            p.history.col(i).setLinSpaced(10*i, 10*i + 6);
+            p.unsteady.col(i).setConstant(-i);
+        }
+        return p;
+    };
+
+    const auto expectOwn = [](const particleArrays& p)
+    {
+        ASSERT_EQ(p.history.cols(), p.size());
+        ASSERT_EQ(p.unsteady.cols(), p.size());
+
+        for (int i = 0; i < p.size(); ++i)
+        {
+            EXPECT_EQ(p.history(6, i), 10*p.id(i) + 6);
+            EXPECT_EQ(p.unsteady(2, i), -p.id(i));
+        }
+    };
+
+    const particleArrays p = make(5);
+
+    expectOwn(p.select({3, 1}));
+
+    particleArrays q = p;
+    q.reorder({4, 2, 0, 1, 3});
+    expectOwn(q);
+    q.remove({0, 1, 0, 0, 0});
+    EXPECT_EQ(q.size(), 4);
+    expectOwn(q);
+
+    std::vector<double> numbers(p.packedNumbers());
+    p.pack(3, numbers.data());
+    q = make(1);
+    q.unpack(0, numbers.data());
+    EXPECT_EQ(q.id(0), 3);
+    expectOwn(q);
+
+    // Nothing of it without unsteady drag
+    particleArrays none;
+    none.resize(2);
+    EXPECT_EQ(none.packedNumbers(), particleArrays::nNumbers);
+    EXPECT_EQ(none.unsteady.cols(), 0);
+    EXPECT_EQ(none.history.size(), 0);
+}
+
+
+TEST(unsteadyDrag, refusesWhatMakesNoSense)
+{
+    const auto make = [](const std::string& text, const double frequency)
+    {
+        unsteadyDrag::New(parse("unsteadyDrag {" + text + "}"), frequency);
+    };
+
+    EXPECT_NO_THROW(make("type Basset;", 1400));
+    EXPECT_NO_THROW(make("type Basset; frequencies (10 100);", 0));
+    EXPECT_NO_THROW(make("type none;", 0));
+
+    for
+    (
+        const std::string& text :
+        strings
+        {
+            "type Basset;",
+            "type Basset; frequencies (100 10);",
+            "type Basset; frequencies (10 99);",
+            "type Basset; frequencies (0 100);",
+            "type Basset; frequencies (-10 100);",
+            "type Basset; frequencies 100;",
+            "type Basset; frequencies (10 100 1000);",
+            "type Basset; terms 5;",
+            "type Boussinesq;",
+            "type none; frequencies (10 100);"
+        }
+    )
+    {
+        EXPECT_THROW(make(text, 0), IOerror) << text;
+    }
+
+    EXPECT_FALSE(unsteadyDrag::New(dictionary(), 0)->nHistory());
 }
 
 
