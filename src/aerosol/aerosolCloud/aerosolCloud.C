@@ -135,9 +135,9 @@ void Foam::aerosol::aerosolCloud::requireKnownModels() const
 {
     const wordList known
     ({
-        "domain", "particles", "timeStepping", "drag", "gravity", "wake",
-        "Brownian", "contact", "aggregate", "report", "carried",
-        "coupling"
+        "domain", "particles", "timeStepping", "drag", "unsteadyDrag",
+        "gravity", "wake", "Brownian", "contact", "aggregate", "report",
+        "carried", "coupling"
     });
 
     // Other entries are variables of the user
@@ -307,7 +307,41 @@ void Foam::aerosol::aerosolCloud::applyLaws(const dictionary& state)
     }
 
     checkTolerance();
+    takeHistory(state);
     motion_.refresh(particles_);
+}
+
+
+void Foam::aerosol::aerosolCloud::takeHistory(const dictionary& state)
+{
+    const scalars& times = motion_.unsteady().times();
+
+    const List<scalar> before
+    (
+        state.lookupOrDefault<List<scalar>>("historyTimes", List<scalar>())
+    );
+
+    bool same = before.size() == times.size() && !state.empty();
+
+    for (int j = 0; same && j < times.size(); ++j)
+    {
+        same = mag(before[j] - times(j)) < 1e-4*times(j);
+    }
+
+    if (same)
+    {
+        return;
+    }
+
+    particles_.resizeHistory(0);
+
+    if (!state.empty())
+    {
+        WarningInFunction
+            << "The unsteady drag has changed since the particles of time "
+            << mesh_.time().timeName() << " were written; it begins anew, as"
+            << " if they had moved with the gas until now" << endl;
+    }
 }
 
 
@@ -615,6 +649,20 @@ Foam::dictionary Foam::aerosol::aerosolCloud::state() const
     if (motion_.wakeModel().needsTolerance())
     {
         dict.add("wakeTolerance", motion_.wakeModel().tolerance());
+    }
+
+    if (motion_.isUnsteady())
+    {
+        const scalars& times = motion_.unsteady().times();
+
+        dict.add
+        (
+            "historyTimes",
+            List<scalar>(UList<scalar>
+            (
+                const_cast<scalar*>(times.data()), times.size()
+            ))
+        );
     }
 
     return dict;

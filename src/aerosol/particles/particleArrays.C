@@ -72,6 +72,27 @@ void Foam::aerosol::particleArrays::resize(const int n)
     range.resize(0);
     mobility.resize(0);
     collision.resize(0);
+
+    resizeHistory(history.rows());
+}
+
+
+void Foam::aerosol::particleArrays::resizeHistory(const int rows)
+{
+    history.setZero(rows, size());
+    unsteady.setZero(3, rows ? size() : 0);
+}
+
+
+void Foam::aerosol::particleArrays::mergeHistory(const int i, const int j)
+{
+    if (history.rows())
+    {
+        const double share = m(j)/(m(i) + m(j));
+
+        history.col(i) += share*(history.col(j) - history.col(i));
+        unsteady.col(i) += share*(unsteady.col(j) - unsteady.col(i));
+    }
 }
 
 
@@ -94,7 +115,7 @@ void Foam::aerosol::particleArrays::reorder(const std::vector<int>& indices)
     {
         values = values(indices).eval();
     };
-    const auto three = [&](vectors& values)
+    const auto three = [&](auto& values)
     {
         values = values(Eigen::all, indices).eval();
     };
@@ -114,6 +135,12 @@ void Foam::aerosol::particleArrays::reorder(const std::vector<int>& indices)
         one(range);
         one(mobility);
         one(collision);
+    }
+
+    if (history.rows())
+    {
+        three(unsteady);
+        three(history);
     }
 }
 
@@ -139,6 +166,15 @@ void Foam::aerosol::particleArrays::pack(const int i, double* numbers) const
     Eigen::Map<Eigen::Vector3d>(numbers + 15) = thermal.col(i);
     numbers[18] = mobility(i);
     numbers[19] = collision(i);
+
+    if (history.rows())
+    {
+        numbers += nNumbers;
+
+        Eigen::Map<Eigen::Vector3d>(numbers + 0) = unsteady.col(i);
+        Eigen::Map<Eigen::VectorXd>(numbers + 3, history.rows()) =
+            history.col(i);
+    }
 }
 
 
@@ -156,6 +192,15 @@ void Foam::aerosol::particleArrays::unpack(const int i, const double* numbers)
     thermal.col(i) = Eigen::Map<const Eigen::Vector3d>(numbers + 15);
     mobility(i) = numbers[18];
     collision(i) = numbers[19];
+
+    if (history.rows())
+    {
+        numbers += nNumbers;
+
+        unsteady.col(i) = Eigen::Map<const Eigen::Vector3d>(numbers);
+        history.col(i) =
+            Eigen::Map<const Eigen::VectorXd>(numbers + 3, history.rows());
+    }
 }
 
 
@@ -183,6 +228,12 @@ Foam::aerosol::particleArrays Foam::aerosol::particleArrays::select
         chosen.collision = collision(indices);
     }
 
+    if (history.rows())
+    {
+        chosen.unsteady = unsteady(Eigen::all, indices);
+        chosen.history = history(Eigen::all, indices);
+    }
+
     return chosen;
 }
 
@@ -208,6 +259,12 @@ void Foam::aerosol::particleArrays::remove(const std::vector<char>& marked)
         apply(range, all, n);
         apply(mobility, all, n);
         apply(collision, all, n);
+    }
+
+    if (history.rows())
+    {
+        apply(unsteady, all, n);
+        apply(history, all, n);
     }
 }
 

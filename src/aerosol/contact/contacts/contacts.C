@@ -123,6 +123,7 @@ int Foam::aerosol::contacts::meet
     }
 
     keep(p, pair, true);
+    p.mergeHistory(pair.i, pair.j);
     aggregate_->merge(p, pair);
 
     absorbed_.resize(p.size(), 0);

@@ -157,7 +157,7 @@ Eigen::Vector3d Foam::aerosol::bricks::mean
 Foam::aerosol::particleArrays
 Foam::aerosol::bricks::gather(const particleArrays& own)
 {
-    constexpr int length = particleArrays::nNumbers;
+    const int length = own.packedNumbers();
 
     if (nRanks() == 1)
     {
@@ -215,6 +215,7 @@ Foam::aerosol::bricks::gather(const particleArrays& own)
     );
 
     particleArrays gathered;
+    gathered.resizeHistory(own.history.rows());
     gathered.resize(static_cast<int>(one.size()));
     gathered.resizeLaws();
 
@@ -289,7 +290,7 @@ void Foam::aerosol::bricks::settle(particleArrays& p) const
         return;
     }
 
-    constexpr int length = particleArrays::nNumbers;
+    const int length = p.packedNumbers();
 
     messages send(nRanks());
     std::vector<char> left(p.size(), 0);
@@ -323,18 +324,19 @@ void Foam::aerosol::bricks::settle(particleArrays& p) const
     }
 
     particleArrays stay;
+    stay.resizeHistory(p.history.rows());
     stay.resize(n);
     stay.resizeLaws();
 
-    double numbers[length];
+    std::vector<double> numbers(length);
     int to = 0;
 
     for (int i = 0; i < p.size(); ++i)
     {
         if (!left[i])
         {
-            p.pack(i, numbers);
-            stay.unpack(to++, numbers);
+            p.pack(i, numbers.data());
+            stay.unpack(to++, numbers.data());
         }
     }
 

@@ -133,6 +133,10 @@ Foam::aerosol::equationOfMotion::equationOfMotion
 :
     gas_(gas),
     drag_(drag::New(dict.subDict("drag"))),
+    unsteady_
+    (
+        unsteadyDrag::New(dict, slips.omega()/constant::mathematical::twoPi)
+    ),
     gravity_(gravity::New(dict.subDict("gravity"))),
     aggregate_
     (
@@ -247,6 +251,7 @@ void Foam::aerosol::equationOfMotion::move
     const int n = static_cast<int>(gas.u0.cols());
     const bool parabola = gas.um.cols() || wakes.um.cols();
     const bool kicked = end.kick.x.cols();
+    const bool unsteady = p.unsteady.cols();
 
     end.x.resize(3, p.size());
     end.v.resize(3, p.size());
@@ -254,7 +259,7 @@ void Foam::aerosol::equationOfMotion::move
     // Those beyond the end of the last block: at rest in gas at rest
     block k = block::Zero();
     scalars Re = scalars::Zero(blockSize);
-    blocks x, v, a, u0, um, u1, x1, v1, w0, wm, w1;
+    blocks x, v, a, forced, u0, um, u1, x1, v1, w0, wm, w1;
 
     for (int from = 0; from < n; from += blockSize)
     {
@@ -267,6 +272,17 @@ void Foam::aerosol::equationOfMotion::move
         load(p.x, i0, size, x);
         load(p.v, i0, size, v);
         load(p.acceleration, i0, size, a);
+
+        if (unsteady)
+        {
+            load(p.unsteady, i0, size, forced);
+
+            for (int c = 0; c < 3; ++c)
+            {
+                a[c] += forced[c];
+            }
+        }
+
         load(gas.u0, from, size, u0);
         load(gas.u1, from, size, u1);
 
@@ -371,6 +387,55 @@ void Foam::aerosol::equationOfMotion::move
         {
             end.v.col(i) += end.kick.v.col(i);
             end.x.col(i) += end.kick.x.col(i);
+        }
+    }
+}
+
+
+void Foam::aerosol::equationOfMotion::accelerate
+(
+    const scalar h,
+    const gasStep& gas,
+    const int first,
+    particleArrays& p,
+    state& end
+) const
+{
+    const int n = static_cast<int>(gas.u0.cols());
+
+    const vectors U0 =
+        gas.u0
+      - drift(p.v.middleCols(first, n), p.thermal.middleCols(first, n));
+
+    vectors a0;
+    scalars q;
+    unsteady_->begin(h, U0, gas.u1 - gas.u0, gas_, first, p, a0, q);
+
+    p.unsteady.middleCols(first, n).setZero();
+
+    // With finite drag, which depends on the end, once more
+    const int nPasses = linear() ? 1 : 2;
+
+    for (int pass = 0; pass < nPasses; ++pass)
+    {
+        move(h, p, gas, {}, pass > 0, end, first);
+
+        for (int l = 0; l < n; ++l)
+        {
+            const int i = first + l;
+            const double z = h*p.rate(i);
+            const double A = z > 1e-12 ? -std::expm1(-z)/z : 1;
+
+            Eigen::Vector3d U1 = gas.u1.col(l) - end.v.col(i);
+            if (hasBrownian())
+            {
+                U1 += (1 - z*A)*p.thermal.col(i);
+            }
+
+            p.unsteady.col(i) +=
+            (
+                a0.col(l) + q(l)*(U1 - U0.col(l)) - p.unsteady.col(i)
+            )/(1 + q(l)*h*A);
         }
     }
 }
@@ -573,6 +638,11 @@ void Foam::aerosol::equationOfMotion::refresh(particleArrays& particles) const
     // One by one, that the result depends on the particle only
     particles.resizeLaws();
 
+    if (particles.history.rows() != unsteady_->nHistory())
+    {
+        particles.resizeHistory(unsteady_->nHistory());
+    }
+
     for (int i = 0; i < particles.size(); ++i)
     {
         refresh(particles, i);
@@ -596,9 +666,14 @@ Foam::aerosol::equationOfMotion::relaxationTime(const particleArrays& p)
 Foam::aerosol::scalars
 Foam::aerosol::equationOfMotion::gain(const particleArrays& p, const scalar h)
 {
+    const scalars longest = relaxationTime(p).min(h);
+    const scalars way =
+        p.acceleration.colwise().norm().transpose().array()*longest;
+
     return
-        p.acceleration.colwise().norm().transpose().array()
-       *relaxationTime(p).min(h);
+        p.unsteady.cols()
+      ? way + p.unsteady.colwise().norm().transpose().array()*longest
+      : way;
 }
 
 

@@ -50,6 +50,13 @@ Foam::vector column(const Foam::aerosol::vectors& v, const int i)
     return Foam::vector(v(0, i), v(1, i), v(2, i));
 }
 
+
+//- File of the j-th three numbers of a history
+Foam::word historyName(const int j)
+{
+    return "history" + Foam::name(j);
+}
+
 } // End anonymous namespace
 
 
@@ -344,9 +351,28 @@ Foam::dictionary Foam::aerosol::cloudFiles::read
         UBrownian = Field<vector>(size, Zero);
     }
 
+    // Without unsteady drag there are none of its history
+    const Field<scalar> step(readFieldIfPresent<scalar>("historyStep"));
+    List<Field<vector>> history;
+
+    while (step.size() == size)
+    {
+        Field<vector> one
+        (
+            readFieldIfPresent<vector>(historyName(history.size()))
+        );
+
+        if (one.size() != size)
+        {
+            break;
+        }
+        history.append(one);
+    }
+
     labelList order;
     sortedOrder(id, order);
 
+    particles.resizeHistory(history.empty() ? 0 : 1 + 3*history.size());
     particles.resize(size);
 
     forAll(order, i)
@@ -372,6 +398,16 @@ Foam::dictionary Foam::aerosol::cloudFiles::read
             particles.x(cmpt, i) = position[k][cmpt];
             particles.v(cmpt, i) = U[k][cmpt];
             particles.thermal(cmpt, i) = UBrownian[k][cmpt];
+
+            forAll(history, j)
+            {
+                particles.history(1 + 3*j + cmpt, i) = history[j][k][cmpt];
+            }
+        }
+
+        if (history.size())
+        {
+            particles.history(0, i) = step[k];
         }
     }
 
@@ -477,6 +513,36 @@ void Foam::aerosol::cloudFiles::write
     else
     {
         rm(cloud_->fieldIOobject("UBrownian", IOobject::NO_READ).objectPath());
+    }
+
+    if (p.history.rows())
+    {
+        ok &= writeField<scalar>
+        (
+            "historyStep", mine, [&](label i) { return p.history(0, i); }
+        );
+
+        for (int j = 0; 1 + 3*j < p.history.rows(); ++j)
+        {
+            ok &= writeField<vector>
+            (
+                historyName(j),
+                mine,
+                [&](label i)
+                {
+                    const auto numbers = p.history.col(i).segment<3>(1 + 3*j);
+
+                    return vector(numbers(0), numbers(1), numbers(2));
+                }
+            );
+        }
+    }
+    else
+    {
+        rm
+        (
+            cloud_->fieldIOobject("historyStep", IOobject::NO_READ).objectPath()
+        );
     }
 
     // Last: what it describes is complete

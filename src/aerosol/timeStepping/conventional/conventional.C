@@ -46,7 +46,7 @@ void Foam::aerosol::conventional::advance
     const std::int64_t step
 )
 {
-    if (!begin(p, step))
+    if (!begin(p, t, h, step))
     {
         return;
     }

@@ -653,7 +653,7 @@ void Foam::aerosol::eventDriven::advance
     const std::int64_t step
 )
 {
-    if (!begin(p, step))
+    if (!begin(p, t, h, step))
     {
         return;
     }

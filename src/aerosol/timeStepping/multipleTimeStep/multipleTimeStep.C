@@ -47,7 +47,7 @@ void Foam::aerosol::multipleTimeStep::advance
     const std::int64_t step
 )
 {
-    if (!begin(p, step))
+    if (!begin(p, t, h, step))
     {
         return;
     }

@@ -26,14 +26,20 @@ constexpr int nVectors = 14;
 
 //- Numbers of a member in a message: its group, its index where it comes from,
 //  the particle, the vectors
-constexpr int memberLength = 2 + particleArrays::nNumbers + 3*nVectors;
+int memberLength(const particleArrays& p)
+{
+    return 2 + p.packedNumbers() + 3*nVectors;
+}
 
 //- Of a pair: its group, two ids, the image, the number of steps
 constexpr int pairLength = 7;
 
 //- Of a member on its way home: its index there, whether it was absorbed, the
 //  particle, its end
-constexpr int returnLength = 2 + particleArrays::nNumbers + 6;
+int returnLength(const particleArrays& p)
+{
+    return 2 + p.packedNumbers() + 6;
+}
 
 
 //- Room for one more record in a message
@@ -207,12 +213,12 @@ Foam::aerosol::timeStepping::gatherGroups
     for (std::size_t k = 0; k < own.size(); ++k)
     {
         const int i = own[k];
-        double* to = append(members[home(name(i))], memberLength);
+        double* to = append(members[home(name(i))], memberLength(p));
 
         *to++ = name(i);
         *to++ = i;
         p.pack(i, to);
-        to += particleArrays::nNumbers;
+        to += p.packedNumbers();
 
         const auto add = [&](const vectors& v, const int column)
         {
@@ -266,7 +272,7 @@ Foam::aerosol::timeStepping::gatherGroups
     const messages receivedMembers = bricks::exchange(std::move(members));
     const messages receivedPairs = bricks::exchange(std::move(pairs));
 
-    auto arrived = records(receivedMembers, memberLength);
+    auto arrived = records(receivedMembers, memberLength(p));
     auto arrivedPairs = records(receivedPairs, pairLength);
 
     // Group by group, in the order of the ids: name, index, id
@@ -317,6 +323,7 @@ Foam::aerosol::timeStepping::gatherGroups
 
         const int size = static_cast<int>(last - from);
 
+        one.p.resizeHistory(p.history.rows());
         one.p.resize(size);
         one.p.resizeLaws();
 
@@ -340,7 +347,7 @@ Foam::aerosol::timeStepping::gatherGroups
 
             one.home.push_back({from->second, static_cast<int>(*numbers++)});
             one.p.unpack(m, numbers);
-            numbers += particleArrays::nNumbers;
+            numbers += p.packedNumbers();
 
             for (vectors* v : to)
             {
@@ -419,12 +426,12 @@ std::vector<char> Foam::aerosol::timeStepping::disperse
     {
         for (int m = 0; m < one.p.size(); ++m)
         {
-            double* to = append(send[one.home[m].first], returnLength);
+            double* to = append(send[one.home[m].first], returnLength(p));
 
             *to++ = one.home[m].second;
             *to++ = one.absorbed[m];
             one.p.pack(m, to);
-            to += particleArrays::nNumbers;
+            to += p.packedNumbers();
             Eigen::Map<Eigen::Vector3d> x(to);
             Eigen::Map<Eigen::Vector3d> v(to + 3);
             x = one.p.x.col(m);
@@ -437,7 +444,7 @@ std::vector<char> Foam::aerosol::timeStepping::disperse
     std::vector<char> absorbed(p.size(), 0);
     returned_.clear();
 
-    for (const auto& record : records(received, returnLength))
+    for (const auto& record : records(received, returnLength(p)))
     {
         const double* numbers = record.first;
         const int i = static_cast<int>(*numbers++);
@@ -445,7 +452,7 @@ std::vector<char> Foam::aerosol::timeStepping::disperse
         returned_.push_back(i);
         absorbed[i] = *numbers++ > 0;
         p.unpack(i, numbers);
-        numbers += particleArrays::nNumbers;
+        numbers += p.packedNumbers();
         end.x.col(i) = Eigen::Map<const Eigen::Vector3d>(numbers);
         end.v.col(i) = Eigen::Map<const Eigen::Vector3d>(numbers + 3);
         if (end.thermal.cols())

@@ -90,6 +90,8 @@ void Foam::aerosol::timeStepping::settle(particleArrays& p)
 bool Foam::aerosol::timeStepping::begin
 (
     particleArrays& p,
+    const scalar t,
+    const scalar h,
     const std::int64_t step
 )
 {
@@ -99,6 +101,21 @@ bool Foam::aerosol::timeStepping::begin
     if (!p.refreshed())
     {
         with_.motion.refresh(p);
+    }
+
+    if (with_.motion.isUnsteady())
+    {
+        const gasOfStep gas = gasWhenAsked(p, t, h, true);
+        equationOfMotion::state end;
+
+        inRuns
+        (
+            p,
+            [&](const int first, const int size)
+            {
+                with_.motion.accelerate(h, gas.run(first, size), first, p, end);
+            }
+        );
     }
 
     return bricks::max(p.size()) > 0;
