@@ -655,14 +655,10 @@ Foam::dictionary Foam::aerosol::aerosolCloud::state() const
     {
         const scalars& times = motion_.unsteady().times();
 
-        dict.add
-        (
-            "historyTimes",
-            List<scalar>(UList<scalar>
-            (
-                const_cast<scalar*>(times.data()), times.size()
-            ))
-        );
+        List<scalar> list(times.size());
+        std::copy(times.data(), times.data() + times.size(), list.begin());
+
+        dict.add("historyTimes", list);
     }
 
     return dict;

@@ -169,11 +169,10 @@ void Foam::aerosol::particleArrays::pack(const int i, double* numbers) const
 
     if (history.rows())
     {
-        numbers += nNumbers;
+        double* const more = numbers + nNumbers;
 
-        Eigen::Map<Eigen::Vector3d>(numbers + 0) = unsteady.col(i);
-        Eigen::Map<Eigen::VectorXd>(numbers + 3, history.rows()) =
-            history.col(i);
+        Eigen::Map<Eigen::Vector3d>(more + 0) = unsteady.col(i);
+        Eigen::Map<Eigen::VectorXd>(more + 3, history.rows()) = history.col(i);
     }
 }
 
@@ -195,11 +194,11 @@ void Foam::aerosol::particleArrays::unpack(const int i, const double* numbers)
 
     if (history.rows())
     {
-        numbers += nNumbers;
+        const double* const more = numbers + nNumbers;
 
-        unsteady.col(i) = Eigen::Map<const Eigen::Vector3d>(numbers);
+        unsteady.col(i) = Eigen::Map<const Eigen::Vector3d>(more);
         history.col(i) =
-            Eigen::Map<const Eigen::VectorXd>(numbers + 3, history.rows());
+            Eigen::Map<const Eigen::VectorXd>(more + 3, history.rows());
     }
 }
 

@@ -100,6 +100,11 @@ BAD = {
     ),
     "zeroKc": (AEROSOL, r"kc +0\.1", "kc 0", "'kc' .* is 0, .* positive"),
     "negativeKp": (AEROSOL, r"kp +1", "kp -1", "'kp' .* is -1, .* positive"),
+    "frequencies": (
+        AEROSOL, r"\ngravity",
+        "\nunsteadyDrag { type Basset; frequencies (20 140); }\ngravity",
+        "'frequencies' are .*20 140.* must be two numbers .* 10 times",
+    ),
     "GSD": (AEROSOL, r"GSD +1\.8", "GSD 0.5", "'GSD' .* is 0.5, .* than 1"),
     "maxBelowMin": (
         AEROSOL, "max +10e-6", "max 0.1e-6", "'min' .* less than 'max'",
@@ -224,6 +229,10 @@ BAD = {
     ),
     "drag": (
         AEROSOL, "type +Stokes", "type Newton", "Unknown .*Newton.*Stokes",
+    ),
+    "unsteadyDrag": (
+        AEROSOL, r"\ngravity", "\nunsteadyDrag { type Maxey; }\ngravity",
+        "Unknown .*Maxey.*Basset.*none",
     ),
     "slipCorrection": (
         AEROSOL, "Cunningham", "Millikan", "Unknown .*Millikan.*Cunningham",

@@ -355,7 +355,7 @@ Foam::dictionary Foam::aerosol::cloudFiles::read
     const Field<scalar> step(readFieldIfPresent<scalar>("historyStep"));
     List<Field<vector>> history;
 
-    while (step.size() == size)
+    while (size > 0 && step.size() == size)
     {
         Field<vector> one
         (
