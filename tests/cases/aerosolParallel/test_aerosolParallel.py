@@ -13,7 +13,7 @@ STEPPINGS = {
     "multipleTimeStep": "type multipleTimeStep; kp 1; kc 0.1;",
     "eventDriven": "type eventDriven;",
     "eventDriven Brownian": "type eventDriven;",
-    "eventDriven memory": "type eventDriven;",
+    "eventDriven memory turbulence": "type eventDriven;",
 }
 
 
@@ -86,8 +86,13 @@ def fixture_stepping(request, tmp_path_factory, meshed):
             )
         case.aerosol("length", "(0.38e-3 0.36e-3 0.34e-3)")
         case.aerosol("numberConcentration", "3e13")
-        if wake == "memory":
+        if "turbulence" in request.param:
             case.control("stepsPerPeriod", "50")
+            case.write(
+                "constant/aerosolProperties",
+                (case.path/"constant"/"aerosolProperties").read_text()
+                + "\nturbulence { type syntheticTurbulence; shearRate 3e3; }\n",
+            )
         if request.param == "conventional":
             case.aerosol("min", "2e-6")
             case.aerosol("max", "7e-6")
