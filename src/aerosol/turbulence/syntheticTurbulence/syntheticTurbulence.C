@@ -11,6 +11,7 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -81,18 +82,26 @@ weights isotropic(const std::vector<Eigen::Vector3d>& k)
 }
 
 
+//- Points that are worked out at once
+constexpr int blockSize = 16;
+
+using blockScalars = Eigen::Array<double, blockSize, 1>;
+
 //- Sine and cosine of 2 pi r, to 1e-15, by the series for half the angle
-inline void sineCosine(double r, double& sine, double& cosine)
+void sineCosine
+(
+    const blockScalars& r,
+    blockScalars& sine,
+    blockScalars& cosine
+)
 {
     // Added and subtracted, this rounds to a whole number
     constexpr double rounding = 0x1.8p52;
 
-    r -= (r + rounding) - rounding;
+    const blockScalars y = EIGEN_PI*(r - ((r + rounding) - rounding));
+    const blockScalars z = y*y;
 
-    const double y = 3.14159265358979323846*r;
-    const double z = y*y;
-
-    double s = 1 - z*(1.0/(20*21));
+    blockScalars s = 1 - z*(1.0/(20*21));
     s = 1 - z*(1.0/(18*19))*s;
     s = 1 - z*(1.0/(16*17))*s;
     s = 1 - z*(1.0/(14*15))*s;
@@ -103,7 +112,7 @@ inline void sineCosine(double r, double& sine, double& cosine)
     s = 1 - z*(1.0/(4*5))*s;
     s = y*(1 - z*(1.0/(2*3))*s);
 
-    double c = 1 - z*(1.0/(21*22));
+    blockScalars c = 1 - z*(1.0/(21*22));
     c = 1 - z*(1.0/(19*20))*c;
     c = 1 - z*(1.0/(17*18))*c;
     c = 1 - z*(1.0/(15*16))*c;
@@ -300,24 +309,36 @@ void Foam::aerosol::syntheticTurbulence::add
 {
     setTime(t);
 
-    for (Eigen::Index point = 0; point < x.cols(); ++point)
+    // Whole blocks, the last one filled up: the same instructions for any point
+    for (Eigen::Index first = 0; first < x.cols(); first += blockSize)
     {
+        const Eigen::Index end =
+            std::min<Eigen::Index>(blockSize, x.cols() - first);
+
         // Of the axes
-        double s[3];
-        double c[3];
+        blockScalars s[3];
+        blockScalars c[3];
+
+        blockScalars sum[3];
 
         for (int axis = 0; axis < 3; ++axis)
         {
-            sineCosine(perLength_(axis)*x(axis, point), s[axis], c[axis]);
-        }
+            blockScalars cycles = blockScalars::Zero();
 
-        double sum[3] = {u(0, point), u(1, point), u(2, point)};
+            for (Eigen::Index k = 0; k < end; ++k)
+            {
+                cycles(k) = perLength_(axis)*x(axis, first + k);
+            }
+
+            sineCosine(cycles, s[axis], c[axis]);
+            sum[axis].setZero();
+        }
 
         for (int i = 0; i < nWaves; ++i)
         {
             // The waves as products of complex numbers
-            double re = 1;
-            double im = 0;
+            blockScalars re = blockScalars::Ones();
+            blockScalars im = blockScalars::Zero();
 
             for (int axis = 0; axis < 3; ++axis)
             {
@@ -325,8 +346,8 @@ void Foam::aerosol::syntheticTurbulence::add
 
                 if (n)
                 {
-                    const double before = re;
-                    const double sine = n*s[axis];
+                    const blockScalars before = re;
+                    const blockScalars sine = double(n)*s[axis];
 
                     re = before*c[axis] - im*sine;
                     im = before*sine + im*c[axis];
@@ -340,9 +361,12 @@ void Foam::aerosol::syntheticTurbulence::add
             }
         }
 
-        for (int axis = 0; axis < 3; ++axis)
+        for (Eigen::Index k = 0; k < end; ++k)
         {
-            u(axis, point) = sum[axis];
+            for (int axis = 0; axis < 3; ++axis)
+            {
+                u(axis, first + k) += sum[axis](k);
+            }
         }
     }
 }
