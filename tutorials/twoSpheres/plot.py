@@ -26,7 +26,7 @@ KNOWN = {  # ms, at Hz and um
 
 def meetings(frequency, wake):
     """Times [ms] at which the pairs meet; not a number if they do not."""
-    file = case/f"sweep/{frequency}/postProcessing/{wake}/0/contacts.dat"
+    file = case/f"sweep{frequency}/postProcessing/{wake}/0/contacts.dat"
     times = np.full(len(DISTANCES), np.nan)
     for line in file.read_text().splitlines():
         if not line.startswith("#"):
@@ -37,7 +37,7 @@ def meetings(frequency, wake):
     return times
 
 
-frequencies = sorted(int(folder.name) for folder in case.glob("sweep/*"))
+frequencies = sorted(int(folder.name[5:]) for folder in case.glob("sweep[0-9]*"))
 table = {
     wake: np.array([meetings(f, wake) for f in frequencies]) for wake in WAKES
 }

@@ -68,7 +68,7 @@ def test_runs_in_a_copy(tmp_path, allrun):
     if tutorial == "flyAshChamber":
         case.replace("Allrun", re.escape(build), "")
     if tutorial == "twoSpheres":
-        case.replace("Allrun", "in 200 .* 5000 ", "in 1000 ")
+        case.replace("Allrun", "sweep 200 .* 5000", "sweep 1000")
     clean = files(case)
 
     script(case, "Allrun")
