@@ -26,6 +26,15 @@ namespace
 constexpr double concentration = 2.4e11;  // [1/m3]
 constexpr double speed = 1.5;  // [m/s]
 
+//- Of a wake that knows the sound, or does not ask for it
+std::string settings(const std::string& wake)
+{
+    return
+        "type " + wake + "; range 20;"
+      + (wake == "memory" ? " frequency 1400;" : "");
+}
+
+
 equationOfMotion laws(const std::string& wake, const std::string& drag)
 {
     return equationOfMotion
@@ -36,7 +45,7 @@ equationOfMotion laws(const std::string& wake, const std::string& drag)
             (
                 "drag { type " + drag + "; slipCorrection Cunningham; }"
                 "gravity { type uniform; value (0 0 -9.81); }"
-                "wake { type " + wake + "; range 20; }"
+                "wake { " + settings(wake) + " }"
             )()
         ),
         gasProperties::air(),
@@ -127,7 +136,7 @@ void wakes
     const particleArrays p = aerosolOf(n);
     const std::vector<particlePair> pairs = neighbours(p, nNeighbours);
     const equationOfMotion motion = laws(type, "Stokes");
-    const equationOfMotion::sources sources{p.x, p.v, p.d, {}};
+    const equationOfMotion::sources sources{p.x, p.v, p.d, {}, p.v};
     vectors w;
 
     for (auto _ : state)
@@ -146,10 +155,9 @@ void block(benchmark::State& state, const std::string& type)
 {
     const particleArrays p = aerosolOf(wake::blockSize + 1);
     const gasProperties gas = gasProperties::air();
-    const autoPtr<wake> model = wake::New
-    (
-        dictionary(IStringStream("type " + type + "; range 20;")())
-    );
+    const dictionary dict(IStringStream(settings(type))());
+    autoPtr<wake> model = wake::New(dict);
+    model->setSound(dict, 0, gas);
     wake::block pairs;
 
     for (int b = 0; b < wake::blockSize; ++b)
@@ -158,6 +166,7 @@ void block(benchmark::State& state, const std::string& type)
         {
             pairs.r[k](b) = p.x(k, b) - p.x(k, b + 1);
             pairs.slip[k](b) = p.v(k, b);
+            pairs.quadrature[k](b) = p.v(k, b + 1);
         }
         pairs.radius(b) = 0.5*p.d(b);
     }
@@ -247,9 +256,12 @@ BENCHMARK_CAPTURE
 (
     wakes, ProudmanPearson/10000/50, "ProudmanPearson", 10000, 50
 );
+BENCHMARK_CAPTURE(wakes, memory/1000/all, "memory", 1000, 1e6);
+BENCHMARK_CAPTURE(wakes, memory/10000/50, "memory", 10000, 50);
 
 BENCHMARK_CAPTURE(block, Oseen, "Oseen");
 BENCHMARK_CAPTURE(block, ProudmanPearson, "ProudmanPearson");
+BENCHMARK_CAPTURE(block, memory, "memory");
 
 BENCHMARK_CAPTURE(move, Stokes/10000, "Stokes", 10000);
 BENCHMARK_CAPTURE(move, SchillerNaumann/10000, "SchillerNaumann", 10000);

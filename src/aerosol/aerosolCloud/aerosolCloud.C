@@ -9,6 +9,7 @@
 #include "mathematicalConstants.H"
 #include "particleSource.H"
 #include "Time.H"
+#include "vectorEntry.H"
 
 #include <algorithm>
 #include <sstream>
@@ -48,8 +49,8 @@ Foam::aerosol::aerosolCloud::aerosolCloud
     ),
     mesh_(mesh),
     dict_(dict),
-    sound_(sound),
     domain_(domain::New(dict_.subDict("domain"))),
+    sound_(sound, dict_.subOrEmptyDict("turbulence"), *domain_),
     bricks_(*domain_),
     motion_
     (
@@ -137,7 +138,7 @@ void Foam::aerosol::aerosolCloud::requireKnownModels() const
     ({
         "domain", "particles", "timeStepping", "drag", "unsteadyDrag",
         "gravity", "wake", "Brownian", "contact", "aggregate", "report",
-        "carried", "coupling"
+        "carried", "coupling", "turbulence"
     });
 
     // Other entries are variables of the user
@@ -288,6 +289,11 @@ void Foam::aerosol::aerosolCloud::prepareTravel(const dictionary& state)
 
     sound_.prepare(travel_->path());
     sound_.move(travel_->velocity(), start);
+
+    if (state.found("gasWay"))
+    {
+        sound_.setWay(acoustics::toEigen(state.get<vector>("gasWay")));
+    }
 }
 
 
@@ -661,6 +667,13 @@ Foam::dictionary Foam::aerosol::aerosolCloud::state() const
         dict.add("historyTimes", list);
     }
 
+    if (sound_.turbulent())
+    {
+        const Eigen::Vector3d way = sound_.way();
+
+        dict.add("gasWay", vector(way(0), way(1), way(2)));
+    }
+
     return dict;
 }
 
@@ -726,6 +739,8 @@ void Foam::aerosol::aerosolCloud::evolve()
 
     // In the mesh, others have to know where everybody is
     const bool settled = travel_->active() || coupling_;
+
+    sound_.follow(end - h, h);
 
     travel_->enter(particles_, end - h);
 

@@ -13,6 +13,7 @@ STEPPINGS = {
     "multipleTimeStep": "type multipleTimeStep; kp 1; kc 0.1;",
     "eventDriven": "type eventDriven;",
     "eventDriven Brownian": "type eventDriven;",
+    "eventDriven memory turbulence": "type eventDriven;",
 }
 
 
@@ -69,7 +70,8 @@ def fixture_stepping(request, tmp_path_factory, meshed):
     def make(name):
         case = AerosolCase(tmp_path_factory.mktemp(name)/"case", meshed)
         case.model("timeStepping", STEPPINGS[request.param])
-        case.model("wake", "type Oseen; range 20;")
+        wake = "memory" if "memory" in request.param else "Oseen"
+        case.model("wake", f"type {wake}; range 20;")
         case.model("drag", "type SchillerNaumann; slipCorrection Cunningham;")
         case.write(
             "constant/aerosolProperties",
@@ -84,6 +86,13 @@ def fixture_stepping(request, tmp_path_factory, meshed):
             )
         case.aerosol("length", "(0.38e-3 0.36e-3 0.34e-3)")
         case.aerosol("numberConcentration", "3e13")
+        if "turbulence" in request.param:
+            case.control("stepsPerPeriod", "50")
+            case.write(
+                "constant/aerosolProperties",
+                (case.path/"constant"/"aerosolProperties").read_text()
+                + "\nturbulence { type syntheticTurbulence; shearRate 3e3; }\n",
+            )
         if request.param == "conventional":
             case.aerosol("min", "2e-6")
             case.aerosol("max", "7e-6")

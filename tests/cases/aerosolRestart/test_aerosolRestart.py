@@ -29,11 +29,12 @@ def prepare(directory, meshed, writeFormat="binary"):
         f"report {{ interval {4*STEP!r}; }}\n\ndomain",
     )
 
-    # The thermal velocities and the numbers of the steps go on, too
+    # Thermal velocities, numbers of steps and the way of eddies go on, too
     case.write(
         "constant/aerosolProperties",
         (case.path/"constant"/"aerosolProperties").read_text()
-        + "\nBrownian { type OrnsteinUhlenbeck; }\n",
+        + "\nBrownian { type OrnsteinUhlenbeck; }\n"
+        + "\nturbulence { type syntheticTurbulence; dissipation 1e3; }\n",
     )
     return case
 

@@ -182,6 +182,20 @@ BAD = {
         "'probability' .* bounce or stick, .* 'aggregate' is none",
     ),
 
+    "turbulenceTwice": (
+        AEROSOL, r"domain",
+        "turbulence { type syntheticTurbulence; dissipation 1; shearRate 9; }"
+        "\ndomain",
+        "exactly one of 'dissipation' .* and 'shearRate'",
+    ),
+    "turbulenceInAnOddDomain": (
+        AEROSOL, r"domain\s*\{([^}]*)length [^;]*;",
+        "turbulence { type syntheticTurbulence; dissipation 1; }\n"
+        "domain { type periodicBox; centre (0.0613 0 0);"
+        " length (1.33e-3 1.5e-3 1e-3);",
+        "No isotropic turbulence of waves of 0.001 m .* 'wavelength'",
+    ),
+
     # Wrong dimensions, not numbers
     "dimensions": (
         ACOUSTIC, "1400", "[0 1 0 0 0 0 0] 1400",

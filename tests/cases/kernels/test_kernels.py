@@ -18,6 +18,11 @@ def test_kernel(kernel, stepping):
     measure(f"*kernels.{kernel}/{stepping}")
 
 
+@pytest.mark.parametrize("stepping", ["multipleTimeStep", "eventDriven"])
+def test_turbulence(stepping):
+    measure(f"*turbulentKernel.*/{stepping}")
+
+
 @pytest.mark.parametrize(
     "law",
     [

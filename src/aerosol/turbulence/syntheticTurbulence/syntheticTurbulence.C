@@ -1,0 +1,374 @@
+/*---------------------------------------------------------------------------*\
+    acousticDEM: acoustic agglomeration of aerosols
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "syntheticTurbulence.H"
+
+#include "addToRunTimeSelectionTable.H"
+#include "checkedEntry.H"
+#include "dimensionSets.H"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace aerosol
+{
+    defineTypeNameAndDebug(syntheticTurbulence, 0);
+    addToRunTimeSelectionTable(turbulence, syntheticTurbulence, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using Foam::aerosol::syntheticTurbulence;
+
+//- Faces, edges and corners of a cube, one of each opposite two
+constexpr int directions[syntheticTurbulence::nWaves][3] =
+{
+    {1, 0, 0}, {0, 1, 0}, {0, 0, 1},
+    {1, 1, 0}, {1, -1, 0}, {1, 0, 1}, {1, 0, -1}, {0, 1, 1}, {0, 1, -1},
+    {1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {1, -1, -1}
+};
+
+//- Of Lebedev's quadrature of the sphere with 26 points, both of each two
+constexpr double weightsOfCube[4] = {0, 2.0/21, 8.0/105, 9.0/140};
+
+using weights = Eigen::Matrix<double, syntheticTurbulence::nWaves, 1>;
+
+//- Shares of the waves k in the square of the gradient for which its covariance
+//  is isotropic, the closest ones to those of a cube: with the unit vectors h,
+//  sum w h_i^2 h_j^2 is 3/15 for i = j and 1/15 otherwise
+weights isotropic(const std::vector<Eigen::Vector3d>& k)
+{
+    constexpr int pairs[6][2] =
+        {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
+
+    Eigen::Matrix<double, 6, syntheticTurbulence::nWaves> A;
+    Eigen::Matrix<double, 6, 1> b;
+    weights w;
+
+    for (int i = 0; i < w.size(); ++i)
+    {
+        const Eigen::Vector3d h = k[i].normalized();
+        const int* const n = directions[i];
+
+        w(i) = weightsOfCube[n[0]*n[0] + n[1]*n[1] + n[2]*n[2]];
+
+        for (int row = 0; row < 6; ++row)
+        {
+            const double product = h(pairs[row][0])*h(pairs[row][1]);
+
+            A(row, i) = product*product;
+            b(row) = pairs[row][0] == pairs[row][1] ? 0.2 : 1.0/15;
+        }
+    }
+
+    const Eigen::Matrix<double, 6, 6> AA = A*A.transpose();
+    const Eigen::Matrix<double, 6, 1> missing = b - A*w;
+
+    return w + A.transpose()*AA.ldlt().solve(missing);
+}
+
+
+//- Points that are worked out at once
+constexpr int blockSize = 16;
+
+using blockScalars = Eigen::Array<double, blockSize, 1>;
+
+//- Sine and cosine of 2 pi r, to 1e-15, by the series for half the angle
+void sineCosine
+(
+    const blockScalars& r,
+    blockScalars& sine,
+    blockScalars& cosine
+)
+{
+    // Added and subtracted, this rounds to a whole number
+    constexpr double rounding = 0x1.8p52;
+
+    const blockScalars y = EIGEN_PI*(r - ((r + rounding) - rounding));
+    const blockScalars z = y*y;
+
+    blockScalars s = 1 - z*(1.0/(20*21));
+    s = 1 - z*(1.0/(18*19))*s;
+    s = 1 - z*(1.0/(16*17))*s;
+    s = 1 - z*(1.0/(14*15))*s;
+    s = 1 - z*(1.0/(12*13))*s;
+    s = 1 - z*(1.0/(10*11))*s;
+    s = 1 - z*(1.0/(8*9))*s;
+    s = 1 - z*(1.0/(6*7))*s;
+    s = 1 - z*(1.0/(4*5))*s;
+    s = y*(1 - z*(1.0/(2*3))*s);
+
+    blockScalars c = 1 - z*(1.0/(21*22));
+    c = 1 - z*(1.0/(19*20))*c;
+    c = 1 - z*(1.0/(17*18))*c;
+    c = 1 - z*(1.0/(15*16))*c;
+    c = 1 - z*(1.0/(13*14))*c;
+    c = 1 - z*(1.0/(11*12))*c;
+    c = 1 - z*(1.0/(9*10))*c;
+    c = 1 - z*(1.0/(7*8))*c;
+    c = 1 - z*(1.0/(5*6))*c;
+    c = 1 - z*(1.0/(3*4))*c;
+    c = 1 - z*(1.0/2)*c;
+
+    sine = 2*s*c;
+    cosine = 1 - 2*s*s;
+}
+
+
+std::uint64_t readSeed(const Foam::dictionary& dict)
+{
+    const Foam::label seed = dict.lookupOrDefault<Foam::label>("seed", 1);
+
+    if (seed < 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'seed' of " << dict.name() << " is " << seed
+            << "; it must not be negative" << Foam::exit(Foam::FatalIOError);
+    }
+
+    return seed;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::aerosol::syntheticTurbulence::syntheticTurbulence
+(
+    const dictionary& dict,
+    const domain& region,
+    const acoustics::gasProperties& gas
+)
+:
+    random_(readSeed(dict)),
+    speed_(0),
+    number_(0),
+    known_(false),
+    time_(0)
+{
+    requireOnly
+    (
+        dict,
+        {"type", "dissipation", "shearRate", "wavelength", "timeScale", "seed"}
+    );
+
+    if (dict.found("dissipation") == dict.found("shearRate"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Give exactly one of 'dissipation' [m2/s3] and 'shearRate'"
+            << " [1/s] in " << dict.name() << exit(FatalIOError);
+    }
+
+    shearRate_ =
+        dict.found("shearRate")
+      ? readPositive(dict, "shearRate", dimless/dimTime)
+      : sqrt
+        (
+            readPositive(dict, "dissipation", sqr(dimVelocity)/dimTime)
+           /gas.nu()
+        );
+
+    interval_ =
+        readPositive(dict, "timeScale", dimTime, 2.3/shearRate_)
+       /timeScaleOfInterval;
+
+    const Eigen::Array3d edges = region.period();
+    const scalar wavelength =
+        readPositive(dict, "wavelength", dimLength, edges.minCoeff());
+
+    perLength_ = (edges/wavelength).round().max(1)/edges;
+
+    std::vector<Eigen::Vector3d> k;
+    for (const auto& n : directions)
+    {
+        k.push_back
+        (
+            2*EIGEN_PI
+           *(perLength_*Eigen::Array3d(n[0], n[1], n[2])).matrix()
+        );
+    }
+
+    const weights share = isotropic(k);
+
+    if (share.minCoeff() <= 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "No isotropic turbulence of waves of " << wavelength
+            << " m fits a domain of " << edges(0) << " x " << edges(1) << " x "
+            << edges(2) << " m: give a 'wavelength' of which each edge is a"
+            << " multiple, or nearly so"
+            << exit(FatalIOError);
+    }
+
+    scalar square = 0;
+
+    for (int i = 0; i < nWaves; ++i)
+    {
+        // Both amplitudes have two components
+        const scalar variance =
+            share(i)*shearRate_*shearRate_/(2*k[i].squaredNorm());
+
+        square += 2*variance;
+
+        const Eigen::Vector3d first = k[i].unitOrthogonal();
+
+        normal_[i].col(0) = std::sqrt(variance)*first;
+        normal_[i].col(1) =
+            std::sqrt(variance)*k[i].normalized().cross(first);
+    }
+
+    speed_ = std::sqrt(square/3);
+
+    std::ostringstream os;
+    os  << "Turbulence: dissipation " << gas.nu()*shearRate_*shearRate_
+        << " m2/s3, Kolmogorov length " << std::sqrt(gas.nu()/shearRate_)
+        << " m, rms gradient " << shearRate_ << " 1/s\n    as waves of "
+        << 1/perLength_(0) << ", " << 1/perLength_(1) << ", "
+        << 1/perLength_(2) << " m along the axes, time scale " << timeScale()
+        << " s, " << speed_ << " m/s rms";
+
+    Info<< os.str().c_str() << endl;
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::aerosol::syntheticTurbulence::amplitudes
+Foam::aerosol::syntheticTurbulence::drawn(const std::int64_t number) const
+{
+    amplitudes result;
+
+    for (int i = 0; i < nWaves; ++i)
+    {
+        const auto z =
+            random_.normals(i, number, counterRandom::stream::turbulence);
+
+        result.cosine[i] = normal_[i]*Eigen::Vector2d(z[0], z[1]);
+        result.sine[i] = normal_[i]*Eigen::Vector2d(z[2], z[3]);
+    }
+
+    return result;
+}
+
+
+void Foam::aerosol::syntheticTurbulence::setTime(const scalar t) const
+{
+    if (known_ && t == time_)
+    {
+        return;
+    }
+
+    const scalar whole = std::floor(t/interval_);
+    const std::int64_t number = static_cast<std::int64_t>(whole);
+
+    if (!known_ || number != number_)
+    {
+        ends_ = {drawn(number), drawn(number + 1)};
+        number_ = number;
+    }
+
+    const scalar s = t/interval_ - whole;
+    const scalar theta = 0.5*EIGEN_PI*s*s*s*(10 - s*(15 - 6*s));
+    const scalar c = std::cos(theta);
+    const scalar e = std::sin(theta);
+
+    for (int i = 0; i < nWaves; ++i)
+    {
+        now_.cosine[i] = c*ends_[0].cosine[i] + e*ends_[1].cosine[i];
+        now_.sine[i] = c*ends_[0].sine[i] + e*ends_[1].sine[i];
+    }
+
+    time_ = t;
+    known_ = true;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::aerosol::syntheticTurbulence::add
+(
+    const scalar t,
+    const vectors& x,
+    vectors& u
+) const
+{
+    setTime(t);
+
+    // Whole blocks, the last one filled up: the same instructions for any point
+    for (Eigen::Index first = 0; first < x.cols(); first += blockSize)
+    {
+        const Eigen::Index end =
+            std::min<Eigen::Index>(blockSize, x.cols() - first);
+
+        // Of the axes
+        blockScalars s[3];
+        blockScalars c[3];
+
+        blockScalars sum[3];
+
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            blockScalars cycles = blockScalars::Zero();
+
+            for (Eigen::Index k = 0; k < end; ++k)
+            {
+                cycles(k) = perLength_(axis)*x(axis, first + k);
+            }
+
+            sineCosine(cycles, s[axis], c[axis]);
+            sum[axis].setZero();
+        }
+
+        for (int i = 0; i < nWaves; ++i)
+        {
+            // The waves as products of complex numbers
+            blockScalars re = blockScalars::Ones();
+            blockScalars im = blockScalars::Zero();
+
+            for (int axis = 0; axis < 3; ++axis)
+            {
+                const int n = directions[i][axis];
+
+                if (n)
+                {
+                    const blockScalars before = re;
+                    const blockScalars sine = double(n)*s[axis];
+
+                    re = before*c[axis] - im*sine;
+                    im = before*sine + im*c[axis];
+                }
+            }
+
+            for (int axis = 0; axis < 3; ++axis)
+            {
+                sum[axis] +=
+                    re*now_.cosine[i](axis) + im*now_.sine[i](axis);
+            }
+        }
+
+        for (Eigen::Index k = 0; k < end; ++k)
+        {
+            for (int axis = 0; axis < 3; ++axis)
+            {
+                u(axis, first + k) += sum[axis](k);
+            }
+        }
+    }
+}
+
+// ************************************************************************* //

@@ -1,0 +1,115 @@
+/*---------------------------------------------------------------------------*\
+    acousticDEM: acoustic agglomeration of aerosols
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "turbulentGas.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::aerosol::turbulentGas::turbulentGas
+(
+    acoustics::soundField& sound,
+    const dictionary& dict,
+    const domain& region
+)
+:
+    localSound(sound),
+    turbulence_(turbulence::New(dict, region, sound.gas())),
+    period_(region.period()),
+    begin_(0),
+    step_(0),
+    speeds_(Eigen::Matrix3d::Zero()),
+    way_(Eigen::Vector3d::Zero())
+{
+    const point middle = region.bounds().centre();
+
+    centre_ = Eigen::Vector3d(middle.x(), middle.y(), middle.z());
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Eigen::Vector3d
+Foam::aerosol::turbulentGas::rounded(const Eigen::Vector3d& way) const
+{
+    const Eigen::Array3d within =
+        way.array() - period_*(way.array()/period_).round();
+
+    return ((within*0x1p56).round()*0x1p-56).matrix();
+}
+
+
+Eigen::Vector3d Foam::aerosol::turbulentGas::wayAt(const scalar t) const
+{
+    if (step_ <= 0)
+    {
+        return way_;
+    }
+
+    const scalar s = (t - begin_)/step_;
+
+    // The velocity as a parabola
+    const Eigen::Vector3d share
+    (
+        s*(1 - s*(1.5 - s*2/3)),
+        s*s*(2 - s*4/3),
+        s*s*(-0.5 + s*2/3)
+    );
+
+    return way_ + step_*(speeds_*share);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::aerosol::turbulentGas::follow(const scalar t, const scalar h)
+{
+    if (!turbulent())
+    {
+        return;
+    }
+
+    way_ = way();
+    begin_ = t;
+    step_ = h;
+
+    vectors u;
+
+    for (int i = 0; i < 3; ++i)
+    {
+        localSound::velocity(t + 0.5*i*h, centre_, u);
+        speeds_.col(i) = u;
+    }
+}
+
+
+Eigen::Vector3d Foam::aerosol::turbulentGas::way() const
+{
+    return rounded(wayAt(begin_ + step_));
+}
+
+
+void Foam::aerosol::turbulentGas::setWay(const Eigen::Vector3d& way)
+{
+    step_ = 0;
+    way_ = rounded(way);
+}
+
+
+void Foam::aerosol::turbulentGas::velocity
+(
+    const scalar t,
+    const vectors& x,
+    vectors& u
+) const
+{
+    localSound::velocity(t, x, u);
+
+    if (turbulent())
+    {
+        turbulence_->add(t, x.colwise() - wayAt(t), u);
+    }
+}
+
+// ************************************************************************* //

@@ -1,0 +1,84 @@
+"""How fast the wakes of two spheres bring them together; twoSpheres.png.
+
+Reads the contacts of each frequency and wake, and prints the times beside those
+that are known: of Oseen's wake from afar (Runge-Kutta for the equations of a
+pair), and of the full history integral that `memory` approximates (approachTest
+in doc/verification.md). Of times below a period, 5 ms at 200 Hz, much depends
+on the phase of the sound at the start.
+"""
+
+import pathlib
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+case = pathlib.Path(__file__).resolve().parent
+WAKES = {"Oseen": "C0", "ProudmanPearson": "C2", "memory": "C3"}
+DISTANCES = [30, 50, 100, 200]  # um, in the order of the ids of the pairs
+KNOWN = {  # ms, at Hz and um
+    "Oseen": {(200, 100): 21.5, (1000, 100): 8.94, (1000, 200): 23.2},
+    "memory": {(1000, 100): 11.3, (1000, 200): 44.9},
+}
+
+
+def meetings(frequency, wake):
+    """Times [ms] at which the pairs meet; not a number if they do not."""
+    file = case/f"sweep{frequency}/postProcessing/{wake}/0/contacts.dat"
+    times = np.full(len(DISTANCES), np.nan)
+    for line in file.read_text().splitlines():
+        if not line.startswith("#"):
+            time, first, second = line.split()[:3]
+            pair = min(int(first), int(second))//2
+            assert {int(first), int(second)} == {2*pair, 2*pair + 1}
+            times[pair] = 1e3*float(time)
+    return times
+
+
+frequencies = sorted(int(folder.name[5:]) for folder in case.glob("sweep[0-9]*"))
+table = {
+    wake: np.array([meetings(f, wake) for f in frequencies]) for wake in WAKES
+}
+
+print("Time until two spheres meet [ms], - if they have not\n")
+print("[Hz]   [um]" + "".join(f"{wake:>17s}" for wake in WAKES)
+      + "    known")
+for i, f in enumerate(frequencies):
+    for j, distance in enumerate(DISTANCES):
+        times = [table[wake][i, j] for wake in WAKES]
+        known = [
+            f"{wake} {values[f, distance]:g}"
+            for wake, values in KNOWN.items() if (f, distance) in values
+        ]
+        print(f"{f:<7d}{distance:<5d}" + "".join(
+            f"{time:16.2f} " if time > 0 else f"{'-':>16s} " for time in times
+        ) + "   " + ", ".join(known))
+
+figure, panels = plt.subplots(
+    1, 4, figsize=(12, 4), sharex=True, sharey=True
+)
+for j, (distance, axes) in enumerate(zip(DISTANCES, panels)):
+    for wake, colour in WAKES.items():
+        axes.loglog(frequencies, table[wake][:, j], "o-", ms=3, color=colour,
+                    label=wake)
+        for (f, r), time in KNOWN.get(wake, {}).items():
+            if r == distance and f in frequencies:
+                axes.plot(f, time, "s", ms=9, mfc="none", color=colour)
+    axes.set_title(f"from {distance} µm")
+    axes.set_xlabel("frequency [Hz]")
+    axes.set_xticks([200, 500, 1000, 2000, 5000],
+                    ["0.2k", "0.5k", "1k", "2k", "5k"])
+    axes.set_yticks([2, 5, 10, 20, 50, 100], ["2", "5", "10", "20", "50", "100"])
+    axes.minorticks_off()
+    axes.grid(alpha=0.3)
+panels[0].set_ylabel("time until they meet [ms]")
+panels[0].legend(frameon=False)
+figure.suptitle(
+    "Two glass spheres of 8 µm, 0.44 m/s at every frequency, in line with the "
+    "sound\n(squares: known by other means)", fontsize=10,
+)
+figure.tight_layout()
+figure.savefig(case/"twoSpheres.png", dpi=150)
+print(f"Wrote {case/'twoSpheres.png'}")
