@@ -59,6 +59,7 @@ Foam::aerosol::aerosolCloud::aerosolCloud
         {sound.frequency(), sound.expectedAmplitude()}
     ),
     contacts_(dict_),
+    breakages_(dict_.subOrEmptyDict("breakage")),
     timeStepping_
     (
         timeStepping::New
@@ -73,6 +74,14 @@ Foam::aerosol::aerosolCloud::aerosolCloud
         dict_.subOrEmptyDict("report").lookupOrDefault<Switch>
         (
             "contacts",
+            false
+        )
+    ),
+    reportsBreakages_
+    (
+        dict_.subOrEmptyDict("report").lookupOrDefault<Switch>
+        (
+            "breakages",
             false
         )
     ),
@@ -98,6 +107,10 @@ Foam::aerosol::aerosolCloud::aerosolCloud
     if (reportsContacts_)
     {
         contacts_.keepRecords();
+    }
+    if (reportsBreakages_)
+    {
+        breakages_.keepRecords();
     }
 
     isNew_ = !files_.found();
@@ -136,7 +149,7 @@ void Foam::aerosol::aerosolCloud::requireKnownModels() const
     const wordList known
     ({
         "domain", "particles", "timeStepping", "drag", "gravity", "wake",
-        "Brownian", "contact", "aggregate", "report", "carried",
+        "Brownian", "contact", "aggregate", "breakage", "report", "carried",
         "coupling"
     });
 
@@ -160,7 +173,7 @@ void Foam::aerosol::aerosolCloud::requireKnownModels() const
     requireOnly
     (
         dict_.subOrEmptyDict("report"),
-        {"interval", "sizeBins", "contacts"}
+        {"interval", "sizeBins", "contacts", "breakages"}
     );
 }
 
@@ -177,6 +190,13 @@ Foam::dictionary Foam::aerosol::aerosolCloud::readParticles()
         state.lookupOrDefault<labelList>("refusedPairs", labelList())
     );
     sizeBins_ = state.subDict("sizeBins");
+
+    // Before anything could break, ids were those of the start
+    breakages_.begin
+    (
+        state.lookupOrDefault<label>("nextId", N0_),
+        state.lookupOrDefault<label>("breakages", 0)
+    );
 
     // A change of these would be ignored, or would move the particles
     const auto requireSame = [&](const word& name, const word& then)
@@ -226,6 +246,7 @@ void Foam::aerosol::aerosolCloud::makeParticles()
     const aerosolStatistics initial(particles_);
 
     N0_ = initial.size;
+    breakages_.begin(N0_, 0);
     N0PM25_ = initial.sizePM25;
     sizeBins_ = agglomerationTables::sizeBins
     (
@@ -606,6 +627,8 @@ Foam::dictionary Foam::aerosol::aerosolCloud::state() const
     dict.add("initialNumberPM25", N0PM25_);
     dict.add("contacts", label(contacts_.count()));
     dict.add("refusedPairs", contacts_.refusedPairs());
+    dict.add("nextId", label(breakages_.nextId()));
+    dict.add("breakages", label(breakages_.count()));
     dict.add("sizeBins", sizeBins_);
     dict.add("domainWas", dict_.subDict("domain"));
     dict.add("particlesWere", dict_.subDict("particles"));
@@ -664,7 +687,10 @@ void Foam::aerosol::aerosolCloud::begin()
 
     tables_.reset
     (
-        new agglomerationTables(mesh_, sizeBins_, reportsContacts_, name())
+        new agglomerationTables
+        (
+            mesh_, sizeBins_, reportsContacts_, name(), reportsBreakages_
+        )
     );
     tabulate();
 }
@@ -707,10 +733,26 @@ void Foam::aerosol::aerosolCloud::evolve()
     {
         domain_->confine(particles_.x);
         coupling_->after(particles_);
+    }
+
+    const bool broken = breakages_.apply
+    (
+        particles_,
+        motion_,
+        sound_,
+        *domain_,
+        end,
+        h,
+        mesh_.time().timeIndex()
+    );
+
+    if (coupling_)
+    {
+        domain_->confine(particles_.x);
         announce();
     }
 
-    if (settled || mesh_.time().writeTime())
+    if (settled || broken || mesh_.time().writeTime())
     {
         timeStepping_->settle(particles_);
     }
@@ -720,6 +762,7 @@ void Foam::aerosol::aerosolCloud::evolve()
     checkGrowth();
 
     tables_->writeContacts(contacts_.takeRecords());
+    tables_->writeBreakages(breakages_.takeRecords());
     tabulate();
 }
 
@@ -749,6 +792,11 @@ std::string Foam::aerosol::aerosolCloud::progress() const
         << " particles left, agglomeration efficiency "
         << 100*(1 - n/N0_) << " %, "
         << contacts_.count() << " contacts";
+
+    if (breakages_.active())
+    {
+        os  << ", " << breakages_.count() << " breakages";
+    }
 
     if (left(mesh_.time().value()))
     {
