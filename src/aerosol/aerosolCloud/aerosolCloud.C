@@ -60,6 +60,7 @@ Foam::aerosol::aerosolCloud::aerosolCloud
         {sound.frequency(), sound.expectedAmplitude()}
     ),
     contacts_(dict_),
+    breakages_(dict_.subOrEmptyDict("breakage")),
     timeStepping_
     (
         timeStepping::New
@@ -74,6 +75,14 @@ Foam::aerosol::aerosolCloud::aerosolCloud
         dict_.subOrEmptyDict("report").lookupOrDefault<Switch>
         (
             "contacts",
+            false
+        )
+    ),
+    reportsBreakages_
+    (
+        dict_.subOrEmptyDict("report").lookupOrDefault<Switch>
+        (
+            "breakages",
             false
         )
     ),
@@ -99,6 +108,10 @@ Foam::aerosol::aerosolCloud::aerosolCloud
     if (reportsContacts_)
     {
         contacts_.keepRecords();
+    }
+    if (reportsBreakages_)
+    {
+        breakages_.keepRecords();
     }
 
     isNew_ = !files_.found();
@@ -137,8 +150,8 @@ void Foam::aerosol::aerosolCloud::requireKnownModels() const
     const wordList known
     ({
         "domain", "particles", "timeStepping", "drag", "unsteadyDrag",
-        "gravity", "wake", "Brownian", "contact", "aggregate", "report",
-        "carried", "coupling", "turbulence"
+        "gravity", "wake", "Brownian", "contact", "aggregate", "breakage",
+        "report", "carried", "coupling", "turbulence"
     });
 
     // Other entries are variables of the user
@@ -161,7 +174,7 @@ void Foam::aerosol::aerosolCloud::requireKnownModels() const
     requireOnly
     (
         dict_.subOrEmptyDict("report"),
-        {"interval", "sizeBins", "contacts"}
+        {"interval", "sizeBins", "contacts", "breakages"}
     );
 }
 
@@ -178,6 +191,13 @@ Foam::dictionary Foam::aerosol::aerosolCloud::readParticles()
         state.lookupOrDefault<labelList>("refusedPairs", labelList())
     );
     sizeBins_ = state.subDict("sizeBins");
+
+    // Before anything could break, ids were those of the start
+    breakages_.begin
+    (
+        state.lookupOrDefault<label>("nextId", N0_),
+        state.lookupOrDefault<label>("breakages", 0)
+    );
 
     // A change of these would be ignored, or would move the particles
     const auto requireSame = [&](const word& name, const word& then)
@@ -227,6 +247,7 @@ void Foam::aerosol::aerosolCloud::makeParticles()
     const aerosolStatistics initial(particles_);
 
     N0_ = initial.size;
+    breakages_.begin(N0_, 0);
     N0PM25_ = initial.sizePM25;
     sizeBins_ = agglomerationTables::sizeBins
     (
@@ -646,6 +667,8 @@ Foam::dictionary Foam::aerosol::aerosolCloud::state() const
     dict.add("initialNumberPM25", N0PM25_);
     dict.add("contacts", label(contacts_.count()));
     dict.add("refusedPairs", contacts_.refusedPairs());
+    dict.add("nextId", label(breakages_.nextId()));
+    dict.add("breakages", label(breakages_.count()));
     dict.add("sizeBins", sizeBins_);
     dict.add("domainWas", dict_.subDict("domain"));
     dict.add("particlesWere", dict_.subDict("particles"));
@@ -721,7 +744,10 @@ void Foam::aerosol::aerosolCloud::begin()
 
     tables_.reset
     (
-        new agglomerationTables(mesh_, sizeBins_, reportsContacts_, name())
+        new agglomerationTables
+        (
+            mesh_, sizeBins_, reportsContacts_, name(), reportsBreakages_
+        )
     );
     tabulate();
 }
@@ -766,10 +792,26 @@ void Foam::aerosol::aerosolCloud::evolve()
     {
         domain_->confine(particles_.x);
         coupling_->after(particles_);
+    }
+
+    const bool broken = breakages_.apply
+    (
+        particles_,
+        motion_,
+        sound_,
+        *domain_,
+        end,
+        h,
+        mesh_.time().timeIndex()
+    );
+
+    if (coupling_)
+    {
+        domain_->confine(particles_.x);
         announce();
     }
 
-    if (settled || mesh_.time().writeTime())
+    if (settled || broken || mesh_.time().writeTime())
     {
         timeStepping_->settle(particles_);
     }
@@ -779,6 +821,7 @@ void Foam::aerosol::aerosolCloud::evolve()
     checkGrowth();
 
     tables_->writeContacts(contacts_.takeRecords());
+    tables_->writeBreakages(breakages_.takeRecords());
     tabulate();
 }
 
@@ -808,6 +851,11 @@ std::string Foam::aerosol::aerosolCloud::progress() const
         << " particles left, agglomeration efficiency "
         << 100*(1 - n/N0_) << " %, "
         << contacts_.count() << " contacts";
+
+    if (breakages_.active())
+    {
+        os  << ", " << breakages_.count() << " breakages";
+    }
 
     if (left(mesh_.time().value()))
     {

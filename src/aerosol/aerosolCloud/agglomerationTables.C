@@ -153,6 +153,31 @@ void Foam::aerosol::agglomerationTables::writeContactsHeader(Ostream& os) const
 }
 
 
+void Foam::aerosol::agglomerationTables::writeBreakagesHeader
+(
+    Ostream& os
+) const
+{
+    writeHeader(os, "Breakages, by time");
+    writeHeader(os, "id, d, primaries   of the aggregate; the larger piece");
+    writeHeader(os, "                   keeps the id");
+    writeHeader(os, "newId, ...         of the smaller piece");
+
+    writeCommented(os, "time[s]");
+
+    for
+    (
+        const char* column :
+        {"id", "newId", "d[m]", "newD[m]", "primaries", "newPrimaries"}
+    )
+    {
+        writeTabbed(os, column);
+    }
+
+    os  << endl;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::aerosol::agglomerationTables::agglomerationTables
@@ -160,7 +185,8 @@ Foam::aerosol::agglomerationTables::agglomerationTables
     const objectRegistry& mesh,
     const dictionary& sizeBins,
     const bool withContacts,
-    const word& cloudName
+    const word& cloudName,
+    const bool withBreakages
 )
 :
     writeFile(mesh, cloudName),
@@ -185,6 +211,11 @@ Foam::aerosol::agglomerationTables::agglomerationTables
         contacts_ = newFile("contacts");
     }
 
+    if (withBreakages)
+    {
+        breakages_ = newFile("breakages");
+    }
+
     if (agglomeration_.valid())
     {
         writeAgglomerationHeader(*agglomeration_);
@@ -193,6 +224,10 @@ Foam::aerosol::agglomerationTables::agglomerationTables
     if (contacts_.valid())
     {
         writeContactsHeader(*contacts_);
+    }
+    if (breakages_.valid())
+    {
+        writeBreakagesHeader(*breakages_);
     }
 }
 
@@ -321,6 +356,34 @@ void Foam::aerosol::agglomerationTables::writeContacts
             os,
             contact.merged ? "stick" : contact.bounced ? "bounce" : "none"
         );
+        os  << nl;
+    }
+
+    os.flush();
+}
+
+
+void Foam::aerosol::agglomerationTables::writeBreakages
+(
+    const std::vector<breakages::record>& broken
+)
+{
+    if (!breakages_.valid() || broken.empty())
+    {
+        return;
+    }
+
+    Ostream& os = *breakages_;
+
+    for (const breakages::record& one : broken)
+    {
+        os  << setprecision(9) << setw(charWidth()) << one.time;
+        writeCount(os, one.id);
+        writeCount(os, one.newId);
+        writeNumber(os, one.d);
+        writeNumber(os, one.dNew);
+        writeCount(os, one.primaries);
+        writeCount(os, one.primariesNew);
         os  << nl;
     }
 

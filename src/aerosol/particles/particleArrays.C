@@ -237,6 +237,43 @@ Foam::aerosol::particleArrays Foam::aerosol::particleArrays::select
 }
 
 
+void Foam::aerosol::particleArrays::replace
+(
+    const int i,
+    const particleArrays& by
+)
+{
+    const int before = size();
+    const int n = before + by.size() - 1;
+
+    for (integers* values : {&id, &primaries})
+    {
+        values->conservativeResize(n);
+    }
+    for (vectors* values : {&x, &v, &thermal, &acceleration})
+    {
+        values->conservativeResize(3, n);
+    }
+    for (scalars* values : {&d, &m, &rate, &range, &mobility, &collision})
+    {
+        values->conservativeResize(n);
+    }
+    if (history.rows())
+    {
+        unsteady.conservativeResize(3, n);
+        history.conservativeResize(Eigen::NoChange, n);
+    }
+
+    std::vector<double> numbers(packedNumbers());
+
+    for (int k = 0; k < by.size(); ++k)
+    {
+        by.pack(k, numbers.data());
+        unpack(k ? before + k - 1 : i, numbers.data());
+    }
+}
+
+
 void Foam::aerosol::particleArrays::remove(const std::vector<char>& marked)
 {
     const changes all = moves(marked);

@@ -139,6 +139,16 @@ BAD = {
         "type fractal; dimension 1.8; mobilityExponent 2;",
         "'mobilityExponent' .* is 2, .* 1/3 to 1",
     ),
+    "breakageWithoutBond": (
+        AEROSOL, "aggregate", "breakage { type drag; }\naggregate",
+        "Entry 'bond' not found",
+    ),
+    "breakageShare": (
+        AEROSOL, "aggregate",
+        "breakage { type shear; fragments two; share 0.7;"
+        " bond { type JKR; workOfAdhesion 0.05; } }\naggregate",
+        "'share' .* is 0.7, .* not be above 0.5",
+    ),
     "negativeAdhesion": (
         AEROSOL, r"type +stick;",
         "type criticalVelocity; workOfAdhesion -1; YoungsModulus 70e9;",

@@ -439,6 +439,8 @@ TEST(unsteadyDrag, isCarriedAlongWithTheParticle)
         p.resizeLaws();
         p.rate.setOnes();
         p.range.setOnes();
+        p.mobility.setOnes();
+        p.collision.setOnes();
         p.acceleration.setOnes();
         p.x.setOnes();
         p.v.setOnes();
@@ -476,6 +478,12 @@ TEST(unsteadyDrag, isCarriedAlongWithTheParticle)
     expectOwn(q);
     q.remove({0, 1, 0, 0, 0});
     EXPECT_EQ(q.size(), 4);
+    expectOwn(q);
+
+    // The pieces of one that breaks
+    q = p;
+    q.replace(2, p.select({2, 2}));
+    EXPECT_EQ(q.size(), 6);
     expectOwn(q);
 
     std::vector<double> numbers(p.packedNumbers());
