@@ -70,6 +70,13 @@ MODELS = {
     "OseenBrownian": {
         "wake": "type Oseen;", "Brownian": "type OrnsteinUhlenbeck;"
     },
+    "memoryBrownian": {
+        "wake": "type memory;", "Brownian": "type OrnsteinUhlenbeck;"
+    },
+    "memoryNearBrownian": {
+        "wake": "type memory; tolerance 0.05;",
+        "Brownian": "type OrnsteinUhlenbeck;"
+    },
     "noneBounce": {"contact": BOUNCE},
     "OseenBounce": {"wake": "type Oseen;", "contact": BOUNCE},
     "OseenSoftBounce": {"wake": "type Oseen;", "contact": SOFT},
@@ -164,6 +171,13 @@ def read_tables(folder):
     return dict(zip(names, np.array(rows).T)) if rows else {}
 
 
+def core_seconds(folder):
+    """What a case has taken, with all that interrupted it."""
+    log = (folder/"log.acousticDEMFoam").read_text(errors="replace")
+    t = [float(s) for s in re.findall(r"ExecutionTime = ([.\d]+)", log)]
+    return sum(a for a, b in zip(t, [*t[1:], 0]) if b < a)
+
+
 class Runner:
     """Runs cases in parallel, and keeps them."""
 
@@ -193,13 +207,16 @@ class Runner:
         if done.returncode:
             raise RuntimeError(f"{program} failed: see {folder}/log.{program}")
 
+    def folder(self, case, seed):
+        return self.results/name_of(case)/f"seed{seed}"
+
     def last_time(self, folder):
         table = read_tables(folder)
         return table["time"][-1] if table else -1
 
     def run(self, case, seed):
         """The table of a case; it is run if, or as far as, it is not there."""
-        folder = self.results/name_of(case)/f"seed{seed}"
+        folder = self.folder(case, seed)
         end = self.options.time
         steps = case["frequency"]*case["stepsPerPeriod"]
         last = round(end*steps)/steps
@@ -222,10 +239,7 @@ class Runner:
         for name, text in files.items():
             (folder/name).write_text(text)
 
-        start = time.perf_counter()
         self.execute(folder, "acousticDEMFoam")
-        with (folder/"seconds").open("a") as file:
-            file.write(f"{time.perf_counter() - start:.1f}\n")
         for left in folder.glob("[0-9]*"):
             if self.options.slim:
                 shutil.rmtree(left)
@@ -250,7 +264,8 @@ class Runner:
                 with self.lock:
                     done += 1
                     failed.append(str(error))
-                    print(f"[{done}/{len(jobs)}] {label}: FAILED", flush=True)
+                    print(f"[{done}/{len(jobs)}] {label}: FAILED",
+                          flush=True)
                 return
             with self.lock:
                 done += 1
@@ -265,28 +280,40 @@ class Runner:
             list(pool.map(work, jobs))
 
         print(f"{new} runs in {time.perf_counter() - start:.0f} s,"
-              f" {len(jobs) - new - len(failed)} were there already\n")
+              f" {len(jobs) - new - len(failed)} were there already")
         if failed:
             sys.exit("ERROR: " + "\n       ".join(failed))
+        seconds = sum(core_seconds(self.folder(cases[k], seed))
+                      for k, seed in jobs)
+        print(f"All of them together take {seconds:.0f} s of one core\n")
         return tables
 
 
 def at(table, end, name="efficiency"):
     """The last value up to a time."""
-    return table[name][np.searchsorted(table["time"], end*(1 + 1e-9)) - 1]
+    k = np.searchsorted(table["time"], end*(1 + 1e-9), side="right") - 1
+    return table[name][k]
 
 
-def mean_error(values):
+def mean_error(values, number):
+    """Mean of the seeds (rows) and its standard error.
+
+    One or two seeds do not tell: then it is the error that contacts by chance
+    (Poisson) give to shares of so many particles that are gone.
+    """
     values = np.asarray(values, float)
-    error = values.std(axis=0, ddof=1)/np.sqrt(len(values)) \
-        if len(values) > 1 else np.full(values.shape[1:], np.nan)
-    return values.mean(axis=0), error
+    mean, n = values.mean(axis=0), len(values)
+    if n > 2:
+        return mean, values.std(axis=0, ddof=1)/np.sqrt(n)
+    return mean, np.sqrt(np.abs(mean)/(number*n))
 
 
 def efficiencies(tables, end):
     """(total, error), (PM2.5, error) of the seeds, in per cent."""
+    number = tables[0]["particles"][0]
     return [
-        mean_error([100*at(table, end, name) for table in tables])
+        100*np.array(mean_error([at(table, end, name) for table in tables],
+                                number))
         for name in ("efficiency", "efficiencyPM2.5")
     ]
 
@@ -429,13 +456,14 @@ class Studies:
               " equal if the decay is exponential")
         for k, (label, tables) in enumerate(zip(labels, ensembles)):
             t = np.linspace(0, end, 81)
-            N = np.array([[1 - at(table, s) for s in t] for table in tables])
-            mean, error = mean_error(N)
-            axes.plot(t, mean, color=f"C{k}", label=label)
-            axes.fill_between(t, mean - error, mean + error, color=f"C{k}",
-                              alpha=0.25, lw=0)
-            rate = -np.diff(np.log(N[:, ::40]), axis=1)/(0.5*end)
-            (a, b), (da, db) = mean_error(rate)
+            gone = np.array([[at(table, s) for s in t] for table in tables])
+            number = tables[0]["particles"][0]
+            mean, error = mean_error(gone, number)
+            axes.plot(t, 1 - mean, color=f"C{k}", label=label)
+            axes.fill_between(t, 1 - mean - error, 1 - mean + error,
+                              color=f"C{k}", alpha=0.25, lw=0)
+            halves = -np.diff(np.log(1 - gone[:, ::40]), axis=1)
+            (a, b), (da, db) = np.array(mean_error(halves, number))/(0.5*end)
             print(f"{label:28}{a:8.4f} +- {da:.4f}{b:8.4f} +- {db:.4f}")
         for level in levels:
             t, n, _ = balance({**cases[0], "SPL": level}, end)
