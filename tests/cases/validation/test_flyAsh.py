@@ -35,13 +35,14 @@ def fixture_study(tmp_path_factory):
     return run
 
 
-SMALL = ("--particles", "60", "--time", "0.02", "--seeds", "2")
+BOX = ("--particles", "60", "--aspect", "1")
+SMALL = (*BOX, "--time", "0.02", "--seeds", "2")
 
 
 def rows(printed):
     """Label, total and its error of the table."""
     return re.findall(
-        r"(?m)^(\S.*?) +\d+ +\d+ +[.\d]+ +([.\d]+) \+- +([.\d]+)", printed
+        r"(?m)^(\S.*?) +\d+ +\d+ +[.\d]+ x [.\d]+ +([.\d]+) \+- +([.\d]+)", printed
     )
 
 
@@ -67,18 +68,18 @@ def test_levels_and_once_more(study):
 
 def test_decay_of_one(study):
     """The first seed of the above, by itself."""
-    printed = study("decay", "--particles", "60", "--time", "0.02", "--seeds",
-                    "1", "--levels", "149", "--models", "Oseen")
+    printed = study("decay", *BOX, "--time", "0.02", "--seeds", "1",
+                    "--levels", "149", "--models", "Oseen")
     assert "first and the second half" in printed
     assert (study.results/"decay.png").exists()
 
 
 def test_goes_on_where_it_was_interrupted(study, tmp_path):
     """And for longer: the same table as without interruption."""
-    command = ("levels", "--particles", "60", "--seeds", "1", "--levels",
-               "140", "--models", "none")
+    command = ("levels", *BOX, "--seeds", "1", "--levels", "140",
+               "--models", "none")
     study(*command, "--time", "0.27")
-    (folder,) = study.results.glob("none_1400Hz_140dB_N60/seed1")
+    (folder,) = study.results.glob("none_1400Hz_140dB_N60_*/seed1")
     assert len(list(folder.glob("[0-9]*"))) == 2
     table = rows(study(*command, "--time", "0.3"))
     assert len(list(folder.glob("postProcessing/aerosol/*"))) == 2
@@ -114,7 +115,7 @@ def test_what_is_wrong_is_said(study):
 
 def test_refill(study):
     """The balance follows what is refilled; what is left alone stops."""
-    printed = study("refill", "--particles", "1500", "--seeds", "1",
+    printed = study("refill", "--particles", "1000", "--seeds", "1",
                     "--periods", "4")
     last = printed.splitlines()[-3].split()
     assert last[0] == "4", printed
@@ -123,9 +124,9 @@ def test_refill(study):
     )
     print(last)
 
-    # Each contact is of Poisson's: 1500 particles, one in twenty of which
+    # Each contact is of Poisson's: 1000 particles, one in twenty of which
     # merge, and as many for the kernel
-    deviation = (0.05/1500)**0.5
+    deviation = (0.05/1000)**0.5
     assert dem == pytest.approx(theory, abs=3*deviation)
     assert dem == pytest.approx(measured, abs=3*2**0.5*deviation)
     assert 1 - alone < 0.5*(1 - dem)

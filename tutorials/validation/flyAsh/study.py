@@ -95,7 +95,7 @@ POINT = {
     "concentration": 2.4e11,    # 1/m3
     "median": 1.5e-6,           # m
     "GSD": 1.8,
-    "aspect": 1,                # height over width of the box
+    "aspect": 6,                # height over width of the box: see boxes
     "stepsPerPeriod": 50,
 }
 
@@ -104,6 +104,8 @@ SENSITIVITY = {
     "GSD": (1.4, 1.6, 1.8, 2.0),
     "concentration": (1.2e11, 2.4e11, 4.8e11, 9.6e11),
 }
+
+ASPECTS = (1, 2, 4, 6, 12, 24)
 
 
 def least_count(case):
@@ -320,13 +322,14 @@ def efficiencies(tables, end):
 
 def print_table(title, labels, cases, tables, end):
     width = max(len(title), max(map(len, labels)))
-    print(f"{title:{width}}  particles seeds  box [mm]"
+    print(f"{title:{width}}  particles seeds      box [mm]"
           "   total [%]        PM2.5 [%]")
     for label, case, ensemble in zip(labels, cases, tables):
         (N, dN), (P, dP) = efficiencies(ensemble, end)
         box = 1e3*(case["count"]/case["concentration"]/case["aspect"])**(1/3)
+        box = f"{box:.2f} x {case['aspect']*box:.2f}"
         print(f"{label:{width}}  {case['count']:9d} {len(ensemble):5d}"
-              f"  {box:8.2f}{N:8.2f} +- {dN:4.2f}{P:9.2f} +- {dP:4.2f}")
+              f"  {box:>12}{N:8.2f} +- {dN:4.2f}{P:9.2f} +- {dP:4.2f}")
 
 
 def balance(case, end):
@@ -384,6 +387,7 @@ class Studies:
         made = []
         for variant in variants:
             case = {**POINT, "count": self.options.particles,
+                    "aspect": self.options.aspect,
                     "stepsPerPeriod": self.options.steps, **variant}
             case["count"] = max(case["count"], least_count(case))
             made.append(case)
@@ -541,30 +545,34 @@ class Studies:
 
     def boxes(self):
         model = self.options.models[0]
-        N = self.options.particles
+        wide = self.options.particles/POINT["aspect"]
         variants = [
-            *({"count": n} for n in (N//4, N//2, N, 2*N)),
-            {"count": N, "aspect": 4}, {"count": 2*N, "aspect": 4},
-            {"count": N, "stepsPerPeriod": 2*self.options.steps},
+            *({"count": round(wide*a), "aspect": a} for a in ASPECTS),
+            {"count": self.options.particles, "aspect": 1},
+            {"count": 4*self.options.particles, "aspect": 1},
+            {"stepsPerPeriod": 2*self.options.steps},
         ]
         cases = self.cases({"model": model, **v} for v in variants)
         tables = self.runner.all(cases)
         end = self.options.time
-        labels = [
-            "cube" if case["aspect"] == 1 else "four times as high"
-            for case in cases[:-1]
-        ] + ["cube, half the time step"]
+        height = [1e3*(case["count"]/case["concentration"]*case["aspect"]**2)
+                  ** (1/3) for case in cases]
+        labels = [f"{h:.2f} mm high" for h in height]
+        labels[-1] += ", half the time step"
         print_table(f"{model}, box", labels, cases, tables, end)
 
         figure, axes = plt.subplots(figsize=(6, 4))
+        n = len(ASPECTS)
         for k, (label, part) in enumerate((
-            ("cubes", slice(0, 4)), ("four times as high", slice(4, 6)),
-            ("cube, half the time step", slice(6, 7)),
+            ("of the same width", slice(0, n)), ("cubes", slice(n, n + 2)),
+            ("half the time step", slice(n + 2, n + 3)),
         )):
-            points(axes, [case["count"] for case in cases[part]],
-                   tables[part], end, color=f"C{k}", label=label)
+            points(axes, height[part], tables[part], end, color=f"C{k}",
+                   label=label)
         axes.set_xscale("log")
-        axes.set_xlabel("particles in the box")
+        axes.xaxis.set_major_formatter("{x:g}")
+        axes.set_xlabel("height of the box [mm]")
+        axes.set_title(f"{model}, 1400 Hz, 147 dB", fontsize=9)
         self.note(axes)
         axes.legend(frameon=False, fontsize=8)
         self.save(figure, "boxes")
@@ -602,7 +610,9 @@ def main():
     parser.add_argument("figure", choices=DEFAULT_MODELS)
     parser.add_argument("--seeds", type=int, default=5)
     parser.add_argument("--particles", type=int, default=1000,
-                        help="in a box, or more where it must be wider")
+                        help="in a box, or more if it must be wider")
+    parser.add_argument("--aspect", type=float, default=POINT["aspect"],
+                        help="height of the box over its width")
     parser.add_argument("--time", type=float, default=4, help="[s]")
     parser.add_argument("--levels", type=numbers, help="[dB], such as 140,147")
     parser.add_argument("--frequencies", type=numbers, help="[Hz]")
