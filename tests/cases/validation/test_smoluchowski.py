@@ -71,6 +71,34 @@ def test_orthokinetic_kernel():
     assert kernel(2e-6, 2e-6) == 0
 
 
+def test_kernel_of_a_sheet_that_settles():
+    """Without sound that of settling; with it, the volume of the zigzag."""
+    d1, d2 = np.array([1e-6]), np.array([5e-6])
+    tau = smoluchowski.relaxation_time
+    w = 9.81*(tau(5e-6) - tau(1e-6))
+    still = smoluchowski.settling_sheet(1400, 0)(d1, d2)
+    assert still == pytest.approx(np.pi*(3e-6)**2*w, rel=1e-12)
+
+    # The path of the larger one, seen by the smaller, leaves a channel behind:
+    # its cross-section, from points at random half way
+    omega, u0 = 2*np.pi*1400, 1.5
+    H = 1/(1 + 1j*omega*tau(5e-6)) - 1/(1 + 1j*omega*tau(1e-6))
+    t = np.linspace(0, 40/1400, 40*400)
+    path = np.column_stack([
+        np.real(H*u0/(1j*omega)*np.exp(1j*omega*t)), -w*t
+    ])
+    random = np.random.default_rng(1)
+    middle, span = path[len(t)//2], np.array([4e-4, 1e-5, 1e-5])
+    near = middle[[0, 0, 1]]*[0, 0, 1] + span*(random.random((3000, 3)) - 0.5)
+    met = np.array([
+        ((path[:, 0] - x)**2 + y**2 + (path[:, 1] - z)**2).min() < 9e-12
+        for x, y, z in near
+    ])
+    area = met.mean()*span[0]*span[1]
+    kernel = smoluchowski.settling_sheet(1400, u0)(d1, d2)[0]
+    assert kernel/w == pytest.approx(area, rel=0.08)
+
+
 def test_table_of_a_kernel():
     edges = np.array([1.0, 2, 4])
     kernel = smoluchowski.tabulated(edges, np.array([[1, 2], [2, 3]]))

@@ -108,6 +108,31 @@ def orthokinetic(frequency, u0, refill=2):
     return kernel
 
 
+def settling_sheet(frequency, u0, gravity=9.81):
+    """Kernel of spheres that swing and settle, and do nothing else.
+
+    The relative path is a zigzag, dense where a pair settles by less than its
+    distance of contact R per period: a sheet, as wide as the relative motion is
+    from peak to peak, 2 A, and 2 R thick, that sinks with the relative settling
+    speed w into what it has not met before,
+
+        K = (4 A R + pi R^2) w,
+
+    and at most what full refill would give.
+    """
+    omega = 2*np.pi*frequency
+    full = orthokinetic(frequency, u0)
+
+    def kernel(d1, d2):
+        tau1, tau2 = relaxation_time(d1), relaxation_time(d2)
+        R = 0.5*(d1 + d2)
+        A = u0/omega*np.abs(1/(1 + 1j*omega*tau1) - 1/(1 + 1j*omega*tau2))
+        w = gravity*np.abs(tau1 - tau2)
+        return np.minimum(4*A*R*w, full(d1, d2)) + np.pi*R**2*w
+
+    return kernel
+
+
 def tabulated(edges, K):
     """Kernel of a table for classes of diameters; beyond them the last holds."""
     edges, K = np.asarray(edges), np.asarray(K)

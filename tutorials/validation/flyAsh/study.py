@@ -332,14 +332,14 @@ def print_table(title, labels, cases, tables, end):
               f"  {box:>12}{N:8.2f} +- {dN:4.2f}{P:9.2f} +- {dP:4.2f}")
 
 
-def balance(case, end):
-    """The same by a population balance with the kernel of full refill."""
+def balance(case, end, kernel=smoluchowski.orthokinetic):
+    """The same by a population balance; by default, with full refill."""
     edges = smoluchowski.sections(0.3e-6, 60e-6)
     n = case["concentration"]*smoluchowski.lognormal(
         edges, case["median"], case["GSD"], 0.3e-6, 10e-6
     )
     model = smoluchowski.PopulationBalance(
-        edges, smoluchowski.orthokinetic(
+        edges, kernel(
             case["frequency"], smoluchowski.velocity_amplitude(case["SPL"])
         )
     )
@@ -366,13 +366,24 @@ def measured(axes, x):
               zorder=5)
 
 
+# Bounds of a population balance, and their colours
+REFILL = {
+    "full refill": (smoluchowski.orthokinetic, "0.7"),
+    "settling alone": (smoluchowski.settling_sheet, "0.4"),
+}
+
+
 def refilled(axes, x, cases, end):
-    """The population balance, over x."""
-    _, N, P = zip(*(balance(case, end) for case in cases))
-    N, P = np.array(N), np.array(P)
-    axes.plot(x, 100*(1 - N[:, -1]/N[:, 0]), color="0.6",
-              label="population balance, full refill")
-    axes.plot(x, 100*(1 - P[:, -1]/P[:, 0]), color="0.6", ls="--")
+    """Population balances, over x."""
+    for name, (kernel, color) in REFILL.items():
+        _, N, P = zip(*(balance(case, end, kernel) for case in cases))
+        N, P = np.array(N), np.array(P)
+        axes.plot(x, 100*(1 - N[:, -1]/N[:, 0]), color=color, lw=1,
+                  label=f"population balance, {name}")
+        axes.plot(x, 100*(1 - P[:, -1]/P[:, 0]), color=color, ls="--", lw=1)
+        print(f"population balance, {name}: total [%]",
+              *np.round(100*(1 - N[:, -1]/N[:, 0]), 1), " PM2.5 [%]",
+              *np.round(100*(1 - P[:, -1]/P[:, 0]), 1))
 
 
 class Studies:
@@ -470,9 +481,10 @@ class Studies:
             (a, b), (da, db) = np.array(mean_error(halves, number))/(0.5*end)
             print(f"{label:28}{a:8.4f} +- {da:.4f}{b:8.4f} +- {db:.4f}")
         for level in levels:
-            t, n, _ = balance({**cases[0], "SPL": level}, end)
-            axes.plot(t, n/n[0], color="0.6", label=f"population balance,"
-                      f" full refill, {level:g} dB")
+            for name, (kernel, color) in REFILL.items():
+                t, n, _ = balance({**cases[0], "SPL": level}, end, kernel)
+                axes.plot(t, n/n[0], color=color, lw=1,
+                          label=f"population balance, {name}, {level:g} dB")
         t = np.linspace(0, end)
         axes.plot(t, (1 - MEASURED["total"])**(t/4), "k:",
                   label="exponential through the measured point")
@@ -573,6 +585,9 @@ class Studies:
         axes.xaxis.set_major_formatter("{x:g}")
         axes.set_xlabel("height of the box [mm]")
         axes.set_title(f"{model}, 1400 Hz, 147 dB", fontsize=9)
+        ends = [min(height), max(height)]
+        refilled(axes, ends, [POINT, POINT], end)
+        axes.set_ylim(top=1.5*axes.lines[0].get_ydata().max())
         self.note(axes)
         axes.legend(frameon=False, fontsize=8)
         self.save(figure, "boxes")
