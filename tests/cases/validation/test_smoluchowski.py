@@ -32,6 +32,9 @@ def test_constant_kernel():
         n, v = exponential(per_doubling, lambda d1, d2: 3.0 + 0*d1)
         N, M, M2 = n.sum(axis=1), n@v, n@v**2
         exact = N[0]/(1 + 1.5*N[0]*T)
+        print(f"{per_doubling}: N0/N {N[0]/N[-1]:.2f},"
+              f" N {abs(N/exact - 1).max():.1e},"
+              f" volume {abs(M/M[0] - 1).max():.0e}")
         assert N == pytest.approx(exact, rel=1e-7)
         assert M == pytest.approx(M[0], rel=1e-12)
 
@@ -39,7 +42,7 @@ def test_constant_kernel():
         errors.append(M2[-1]/(M2[0] + 3*M[0]**2*T[-1]) - 1)
         tail = n[-1][v > 8].sum()/N[-1]
         edge = np.sqrt(v[v > 8][0]*v[v <= 8][-1])
-        print(per_doubling, errors[-1], tail/np.exp(-edge/4) - 1)
+        print(f"   M2 {errors[-1]:.2e}, tail {tail/np.exp(-edge/4) - 1:.1e}")
     assert abs(errors[-1]) < 3e-3
     assert orders(errors) == pytest.approx(2, abs=0.2)
     assert tail == pytest.approx(np.exp(-edge/4), rel=0.03)
@@ -51,10 +54,14 @@ def test_sum_kernel():
     for per_doubling in (2, 4, 8):
         n, v = exponential(per_doubling, lambda d1, d2: B*(d1**3 + d2**3))
         N, M, M2 = n.sum(axis=1), n@v, n@v**2
-        assert N == pytest.approx(N[0]*np.exp(-B*M[0]*T), rel=1e-6)
+        exact = N[0]*np.exp(-B*M[0]*T)
+        print(f"{per_doubling}: N0/N {N[0]/N[-1]:.2f},"
+              f" N {abs(N/exact - 1).max():.1e},"
+              f" volume {abs(M/M[0] - 1).max():.0e}")
+        assert N == pytest.approx(exact, rel=1e-6)
         assert M == pytest.approx(M[0], rel=1e-9)
         errors.append(M2[-1]/(M2[0]*np.exp(2*B*M[0]*T[-1])) - 1)
-        print(per_doubling, errors[-1])
+        print(f"   M2 {errors[-1]:.2e}")
     assert abs(errors[-1]) < 0.02
     assert orders(errors) == pytest.approx(2, abs=0.2)
 
