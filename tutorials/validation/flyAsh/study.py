@@ -99,7 +99,7 @@ SENSITIVITY = {
     "concentration": (1.2e11, 2.4e11, 4.8e11),
 }
 
-ASPECTS = (1, 2, 4, 6, 12, 24)
+ASPECTS = (1, 2, 4, 6, 12, 24, 48)
 
 
 def least_count(case):
@@ -550,7 +550,7 @@ class Studies:
         self.save(figure, "sensitivity")
 
     def boxes(self):
-        model = self.options.models[0]
+        models, end = self.options.models, self.options.time
         wide = self.options.particles/POINT["aspect"]
         variants = [
             *({"count": round(wide*a), "aspect": a} for a in ASPECTS),
@@ -558,30 +558,38 @@ class Studies:
             {"count": 4*self.options.particles, "aspect": 1},
             {"stepsPerPeriod": 2*self.options.steps},
         ]
-        cases = self.cases({"model": model, **v} for v in variants)
+        cases = self.cases({"model": model, **variant}
+                           for model in models for variant in variants)
         tables = self.runner.all(cases)
-        end = self.options.time
         height = [1e3*(case["count"]/case["concentration"]*case["aspect"]**2)
                   ** (1/3) for case in cases]
-        labels = [f"{h:.2f} mm high" for h in height]
-        labels[-1] += ", half the time step"
-        print_table(f"{model}, box", labels, cases, tables, end)
+        labels = [
+            f"{case['model']}, {case['stepsPerPeriod']} steps per period"
+            for case in cases
+        ]
+        print_table("case", labels, cases, tables, end)
 
         figure, axes = plt.subplots(figsize=(6, 4))
         n = len(ASPECTS)
-        for k, (label, part) in enumerate((
-            ("of the same width", slice(0, n)), ("cubes", slice(n, n + 2)),
-            ("half the time step", slice(n + 2, n + 3)),
-        )):
-            points(axes, height[part], tables[part], end, color=f"C{k}",
-                   label=label)
+        for k, model in enumerate(models):
+            start = k*len(variants)
+            for label, marker, first, last in (
+                (model, "o-", 0, n), (f"{model}, cubes", "^:", n, n + 2),
+                (f"{model}, half the time step", "x", n + 2, n + 3),
+            ):
+                part = slice(start + first, start + last)
+                N, dN = np.transpose(
+                    [efficiencies(t, end)[0] for t in tables[part]]
+                )
+                axes.errorbar(height[part], N, dN, fmt=marker, capsize=2,
+                              color=f"C{k}", mfc="white", label=label)
+        _, N, _ = balance(POINT, end, smoluchowski.settling_sheet)
+        axes.axhline(100*(1 - N[-1]/N[0]), color="0.4", lw=1,
+                     label="population balance, settling alone")
         axes.set_xscale("log")
         axes.xaxis.set_major_formatter("{x:g}")
         axes.set_xlabel("height of the box [mm]")
-        axes.set_title(f"{model}, 1400 Hz, 147 dB", fontsize=9)
-        ends = [min(height), max(height)]
-        refilled(axes, ends, [POINT, POINT], end)
-        axes.set_ylim(top=1.5*axes.lines[0].get_ydata().max())
+        axes.set_title("all particles, 1400 Hz, 147 dB", fontsize=9)
         self.note(axes)
         axes.legend(frameon=False, fontsize=8)
         self.save(figure, "boxes")
@@ -603,7 +611,7 @@ DEFAULT_MODELS = {
                "ProudmanPearson", "memory", "noneBounce", "OseenBounce",
                "OseenSoftBounce", "memoryBounce"],
     "sensitivity": ["Oseen"],
-    "boxes": ["Oseen"],
+    "boxes": ["none", "Brownian", "Oseen"],
     "refill": [],
 }
 
