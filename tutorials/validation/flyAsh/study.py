@@ -529,24 +529,25 @@ class Studies:
                   for value in values]
         print_table(model, labels, cases, tables, end)
 
+        # Units, and titles
+        shown = {"median": (1e6, "median [um]"), "GSD": (1, "GSD"),
+                 "concentration": (1e-11, "concentration [1e11/m3]")}
         figure, axes = plt.subplots(1, 3, figsize=(9, 3.3), sharey=True)
         k = 0
         for panel, (key, values) in zip(axes, SENSITIVITY.items()):
             n = len(values)
-            x = np.array(values)*(1e6 if key == "median" else 1)
+            unit, title = shown[key]
+            x = unit*np.array(values)
             points(panel, x, tables[k:k + n], end, color="C0", label=model)
             refilled(panel, x, cases[k:k + n], end)
-            assumed = POINT[key]*(1e6 if key == "median" else 1)
-            measured(panel, assumed)
+            measured(panel, unit*POINT[key])
             self.note(panel)
+            panel.set_xlabel(title)
             k += n
-        axes[0].set_xlabel("median [um]")
-        axes[1].set_xlabel("GSD")
-        axes[2].set_xlabel("concentration [1/m3]")
-        axes[2].set_xscale("log")
         for panel in axes[1:]:
             panel.set_ylabel("")
-        axes[0].legend(frameon=False, fontsize=7)
+        axes[1].legend(frameon=False, fontsize=7, loc="center left",
+                       bbox_to_anchor=(0, 0.48))
         self.save(figure, "sensitivity")
 
     def boxes(self):
@@ -604,9 +605,9 @@ class Studies:
 
 
 DEFAULT_MODELS = {
-    "levels": ["Oseen", "memory"],
-    "frequencies": ["Oseen", "memory"],
-    "decay": ["none", "Oseen", "memory"],
+    "levels": ["Brownian", "Oseen"],
+    "frequencies": ["Brownian", "Oseen"],
+    "decay": ["none", "Brownian", "Oseen"],
     "models": ["none", "Brownian", "Oseen", "OseenBrownian",
                "ProudmanPearson", "memory", "noneBounce", "OseenBounce",
                "OseenSoftBounce", "memoryBounce"],
