@@ -133,6 +133,7 @@ Foam::aerosol::aerosolCloud::aerosolCloud
     }
 
     checkSound();
+    reportSettling();
     checkBrownian();
 
     Info<< summary().c_str() << nl << rangesOfWakes().c_str() << endl;
@@ -535,6 +536,39 @@ void Foam::aerosol::aerosolCloud::checkSound() const
             << " m: particles meet periodic images that they would not meet"
             << " in the chamber, and agglomerate too fast" << endl;
     }
+}
+
+
+void Foam::aerosol::aerosolCloud::reportSettling() const
+{
+    if (!particles_.size() || particles_.rate.minCoeff() <= 0)
+    {
+        return;
+    }
+
+    const vectors speed =
+        particles_.acceleration.array().rowwise()
+       /particles_.rate.transpose();
+
+    Eigen::Index i;
+    const scalar fastest = speed.colwise().norm().maxCoeff(&i);
+
+    if (fastest <= 0)
+    {
+        return;
+    }
+
+    const Time& time = mesh_.time();
+    const scalar rest = time.endTime().value() - time.value();
+    const Eigen::Array3d edges = acoustics::toEigen(domain_->bounds().span());
+
+    std::ostringstream os;
+    os  << "The fastest settles at " << fastest << " m/s: by " << rest*fastest
+        << " m until the end, "
+        << rest*(speed.col(i).array().abs()/edges).maxCoeff()
+        << " times through the domain";
+
+    Info<< os.str().c_str() << nl;
 }
 
 
