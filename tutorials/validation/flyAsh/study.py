@@ -59,6 +59,7 @@ ALL = {
 }
 BOUNCE = "type criticalVelocity; workOfAdhesion 0.05; YoungsModulus 70e9;"
 SOFT = "type criticalVelocity; workOfAdhesion 0.1; YoungsModulus 5e9;"
+EDDIES = "type syntheticTurbulence; dissipation {};"
 MODELS = {
     "none": {},
     "noGravity": {"gravity": "type none;"},
@@ -73,6 +74,16 @@ MODELS = {
     },
     "memoryBrownian": {
         "wake": "type memory;", "Brownian": "type OrnsteinUhlenbeck;"
+    },
+    # Eddies below the size of the box, by what they dissipate, m2/s3
+    "turbulence1": {"turbulence": EDDIES.format(1)},
+    "turbulence10": {"turbulence": EDDIES.format(10)},
+    "turbulence100": {"turbulence": EDDIES.format(100)},
+    "OseenTurbulence10": {
+        "wake": "type Oseen;", "turbulence": EDDIES.format(10)
+    },
+    "turbulence10Bounce": {
+        "turbulence": EDDIES.format(10), "contact": BOUNCE
     },
     "noneBounce": {"contact": BOUNCE},
     "OseenBounce": {"wake": "type Oseen;", "contact": BOUNCE},
