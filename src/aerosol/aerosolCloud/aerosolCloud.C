@@ -48,7 +48,7 @@ Foam::aerosol::aerosolCloud::aerosolCloud
         )
     ),
     mesh_(mesh),
-    dict_(dict),
+    dict_(requireKnownModels(dict)),
     domain_(domain::New(dict_.subDict("domain"))),
     sound_(sound, dict_.subOrEmptyDict("turbulence"), *domain_),
     bricks_(*domain_),
@@ -99,11 +99,25 @@ Foam::aerosol::aerosolCloud::aerosolCloud
         )
     ),
     nextRow_(0),
+    step_(0),
     outgrown_(false),
     isNew_(true)
 {
-    requireKnownModels();
     cloudFiles::requireExact(mesh_.time());
+
+    if
+    (
+        breakages_.active()
+     && (
+            dict_.subDict("contact").get<word>("type") == "none"
+         || dict_.subDict("aggregate").get<word>("type") == "none"
+        )
+    )
+    {
+        WarningInFunction
+            << "Nothing sticks, by 'contact' or 'aggregate': there will be no"
+            << " new aggregates for 'breakage' to break" << endl;
+    }
 
     if (reportsContacts_)
     {
@@ -146,7 +160,10 @@ Foam::aerosol::aerosolCloud::aerosolCloud
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::aerosol::aerosolCloud::requireKnownModels() const
+const Foam::dictionary& Foam::aerosol::aerosolCloud::requireKnownModels
+(
+    const dictionary& dict
+)
 {
     const wordList known
     ({
@@ -156,8 +173,16 @@ void Foam::aerosol::aerosolCloud::requireKnownModels() const
     });
 
     // Other entries are variables of the user
-    for (const entry& e : dict_)
+    for (const entry& e : dict)
     {
+        if (!e.isDict() && known.found(e.keyword()))
+        {
+            FatalIOErrorInFunction(dict)
+                << "'" << e.keyword() << "' in line " << e.startLineNumber()
+                << " must be a dictionary, such as " << e.keyword()
+                << " { ... }" << exit(FatalIOError);
+        }
+
         if
         (
             e.isDict()
@@ -167,16 +192,18 @@ void Foam::aerosol::aerosolCloud::requireKnownModels() const
         {
             FatalIOErrorInFunction(e.dict())
                 << "Unknown dictionary '" << e.keyword() << "' in "
-                << dict_.name() << "; valid ones are " << known
+                << dict.name() << "; valid ones are " << known
                 << exit(FatalIOError);
         }
     }
 
     requireOnly
     (
-        dict_.subOrEmptyDict("report"),
+        dict.subOrEmptyDict("report"),
         {"interval", "sizeBins", "contacts", "breakages"}
     );
+
+    return dict;
 }
 
 
@@ -333,6 +360,9 @@ void Foam::aerosol::aerosolCloud::applyLaws(const dictionary& state)
             motion_.chooseTolerance(particles_);
         }
     }
+
+    // Not that of the time: decomposePar makes none for a rank without fields
+    step_ = state.lookupOrDefault<label>("step", mesh_.time().timeIndex());
 
     checkTolerance();
     takeHistory(state);
@@ -697,6 +727,7 @@ Foam::dictionary Foam::aerosol::aerosolCloud::state() const
 {
     dictionary dict;
 
+    dict.add("step", label(step_));
     dict.add("initialNumber", N0_);
     dict.add("initialNumberPM25", N0PM25_);
     dict.add("contacts", label(contacts_.count()));
@@ -814,12 +845,14 @@ void Foam::aerosol::aerosolCloud::evolve()
         coupling_->before(particles_, h);
     }
 
+    ++step_;
+
     timeStepping_->advance
     (
         particles_,
         end - h,
         h,
-        mesh_.time().timeIndex()
+        step_
     );
 
     if (coupling_)
@@ -836,7 +869,7 @@ void Foam::aerosol::aerosolCloud::evolve()
         *domain_,
         end,
         h,
-        mesh_.time().timeIndex()
+        step_
     );
 
     if (coupling_)

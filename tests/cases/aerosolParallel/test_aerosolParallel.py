@@ -273,3 +273,39 @@ def test_continues_on_other_ranks(tmp_path, meshed, aggregate):
 
     for name, values in clouds[0].items():
         assert np.array_equal(values, clouds[1][name]), name
+
+
+def test_noise_continues_on_ranks_without_particles(tmp_path, meshed):
+    """Decomposed, there is no time of a rank that has none, nor its number."""
+    step = 2**-17
+    clouds = []
+
+    for name in ("whole", "parts"):
+        case = AerosolCase(tmp_path/name, meshed)
+        case.model("timeStepping", STEPPINGS["eventDriven"])
+        case.replace(
+            "constant/aerosolProperties", "gravity\n",
+            "Brownian { type OrnsteinUhlenbeck; seed 3; }\n\ngravity\n",
+        )
+        case.particles(
+            [
+                ((61.4e-3, 0.2e-3, 0.2e-3), 1e-6),
+                ((61.45e-3, 0.21e-3, 0.2e-3), 2e-6),
+            ]
+        )
+        case.control("deltaT", repr(step))
+        case.control("writeInterval", "10")
+        case.control("timePrecision", "16")
+        case.replace(
+            "system/controlDict", r"writePrecision\s+16", "writePrecision 17"
+        )
+        case.control("endTime", repr((20 if name == "whole" else 10)*step))
+        case.run("acousticDEMFoam")
+
+        if name == "parts":
+            case.control("endTime", repr(20*step))
+            run_on(case, 4, "-latestTime")
+        clouds.append(case.cloud(case.times()[-1]))
+
+    for name, values in clouds[0].items():
+        assert np.array_equal(values, clouds[1][name]), name

@@ -254,6 +254,10 @@ BAD = {
     "drag": (
         AEROSOL, "type +Stokes", "type Newton", "Unknown .*Newton.*Stokes",
     ),
+    "noDictionary": (
+        AEROSOL, r"\ngravity", "\ncoupling twoWay;\ngravity",
+        "'coupling' .* must be a dictionary",
+    ),
     "unsteadyDrag": (
         AEROSOL, r"\ngravity", "\nunsteadyDrag { type Maxey; }\ngravity",
         "Unknown .*Maxey.*Basset.*none",

@@ -116,3 +116,28 @@ def test_of_another_kind_begins_anew(tmp_path, meshed):
     log = case.run("acousticDEMFoam")
     assert log.count("begins anew") == 1
     assert np.isfinite(end(case)["U"]).all()
+
+
+def test_leaves_no_files_of_a_longer_one(tmp_path, meshed):
+    """Times are written once more: with fewer numbers, there are fewer files."""
+    numbers = []
+
+    for frequencies in ("frequencies (1 1000000);", ""):
+        if not numbers:
+            case = prepare(
+                tmp_path/"case", meshed, "type eventDriven;",
+                f"type Basset; {frequencies}",
+            )
+        else:
+            case.replace(
+                "constant/aerosolProperties", r"frequencies [^;]*;", ""
+            )
+        case.control("startFrom", "startTime")
+        case.control("endTime", repr(2*STEP))
+        case.control("writeInterval", "2")
+        case.run("acousticDEMFoam")
+        files = case.path.glob(f"{case.times()[-1]}/**/history[0-9]*")
+        numbers.append(len(list(files)))
+
+    print(numbers, "files")
+    assert 0 < numbers[1] < numbers[0]

@@ -545,6 +545,21 @@ void Foam::aerosol::cloudFiles::write
         );
     }
 
+    // Left by a run that remembered more
+    for (int j = (p.history.rows() + 1)/3; ; ++j)
+    {
+        const fileName left
+        (
+            cloud_->fieldIOobject(historyName(j), IOobject::NO_READ)
+           .objectPath()
+        );
+
+        if (!rm(left))
+        {
+            break;
+        }
+    }
+
     // Last: what it describes is complete
     ok &= writeState(state, p.size());
 

@@ -61,6 +61,8 @@ void Foam::aerosol::listSource::readEntries()
         const dictionary& entry = entries[i];
         const vector x = entry.get<vector>("position");
 
+        requireOnly(entry, {"position", "diameter", "velocity"});
+
         positions_.emplace_back(x.x(), x.y(), x.z());
         diameters_.push_back(readPositive(entry, "diameter", dimLength));
         where_.push_back("number " + std::to_string(i + 1) + " of 'particles'");
