@@ -4,6 +4,7 @@ To be run by pvbatch, with the case directory and the name of the cloud as its
 arguments.
 """
 
+import math
 import os
 import sys
 
@@ -14,7 +15,7 @@ from paraview.simple import (
     Render, SaveScreenshot, Show, Text,
 )
 
-ENLARGED = 4.0  # spheres are drawn larger than they are, to be seen at all
+LARGEST = 10e-6  # m, of the colours
 
 case, cloud = sys.argv[1:3]
 marker = os.path.join(case, "case.foam")
@@ -44,6 +45,10 @@ def count(data):
     return data.GetNumberOfPoints()
 
 
+def diagonal(bounds):
+    return math.dist(bounds[::2], bounds[1::2])
+
+
 def draw(time, layout, place):
     """The cloud at a time in one cell of the layout."""
     reader = open_case()
@@ -56,9 +61,13 @@ def draw(time, layout, place):
     view.UseColorPaletteForBackground = 0
     view.OrientationAxesVisibility = 0
 
+    # Larger than they are, to be seen at all
+    bounds = reader.GetDataInformation().GetBounds()
+    enlarged = float(f"{max(1, 0.02*diagonal(bounds)/LARGEST):.1g}")
+
     glyph = Glyph(Input=reader, GlyphType="Sphere")
     glyph.ScaleArray = ["POINTS", "d"]
-    glyph.ScaleFactor = ENLARGED
+    glyph.ScaleFactor = enlarged
     glyph.GlyphMode = "All Points"
     glyph.GlyphType.Radius = 0.5
 
@@ -66,27 +75,27 @@ def draw(time, layout, place):
     ColorBy(shown, ("POINTS", "d"))
     colours = GetColorTransferFunction("d")
     colours.ApplyPreset("Viridis (matplotlib)", True)
-    colours.RescaleTransferFunction(0.3e-6, 10e-6)
+    colours.RescaleTransferFunction(0.3e-6, LARGEST)
 
     frame = Show(Outline(Input=reader), view)
     frame.AmbientColor = frame.DiffuseColor = [0.5, 0.5, 0.5]
 
     number = count(servermanager.Fetch(reader))
-    label = Show(Text(Text=f"{1e3*time:.3g} ms: {number} particles"), view)
+    label = Show(Text(Text=f"{1e3*time:.4g} ms: {number} particles"), view)
     label.Color = [0, 0, 0]
     label.FontSize = 12
     label.WindowLocation = "Upper Center"
 
-    return view, colours, reader.GetDataInformation().GetBounds()
+    return view, colours, bounds, enlarged
 
 
 def look(view, bounds):
     """See all of a box, from a corner."""
     centre = [0.5*(bounds[2*k] + bounds[2*k + 1]) for k in range(3)]
-    size = max(bounds[2*k + 1] - bounds[2*k] for k in range(3))
-    view.CameraFocalPoint = [centre[0], centre[1], centre[2] - 0.1*size]
+    size = diagonal(bounds)
+    view.CameraFocalPoint = [centre[0], centre[1], centre[2] - 0.04*size]
     view.CameraPosition = [
-        centre[k] + 3.6*size*d for k, d in enumerate((0.42, -0.85, 0.32))
+        centre[k] + 2.4*size*d for k, d in enumerate((0.42, -0.85, 0.32))
     ]
     view.CameraViewUp = [0, 0, 1]
     view.CameraViewAngle = 30
@@ -111,8 +120,8 @@ if not times:
 
 layout = CreateLayout("particles")
 layout.SplitHorizontal(0, 0.5)
-first, _, bounds = draw(times[0], layout, 1)
-last, colours, _ = draw(times[-1], layout, 2)
+first, _, bounds, _ = draw(times[0], layout, 1)
+last, colours, _, enlarged = draw(times[-1], layout, 2)
 
 Render(first)
 Render(last)
@@ -120,7 +129,7 @@ look(first, bounds)
 look(last, bounds)
 
 bar = GetScalarBar(colours, last)
-bar.Title = "diameter [m], drawn %g times larger" % ENLARGED
+bar.Title = "diameter [m], drawn %g times larger" % enlarged
 bar.ComponentTitle = ""
 bar.TitleColor = bar.LabelColor = [0, 0, 0]
 bar.TitleFontSize = bar.LabelFontSize = 9
