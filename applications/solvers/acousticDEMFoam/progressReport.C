@@ -71,12 +71,16 @@ void Foam::progressReport::print(const std::string& model)
     const scalar stepsLeft =
         (time_.endTime().value() - time_.value())/time_.deltaTValue();
 
+    // OpenFOAM's clock counts whole seconds
     std::ostringstream speed;
-    speed.precision(3);
-    speed
-        << rate << " steps/s, "
-        << duration(max(stepsLeft, scalar(0))/max(rate, SMALL))
-        << " to the end";
+    if (clock > lastClock_)
+    {
+        speed.precision(3);
+        speed
+            << rate << " steps/s, "
+            << duration(max(stepsLeft, scalar(0))/max(rate, SMALL))
+            << " to the end";
+    }
 
     Info<< "Time = " << time_.timeName() << nl;
 
