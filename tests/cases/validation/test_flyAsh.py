@@ -91,7 +91,7 @@ def test_another_model_of_the_same_name_is_run_anew(study):
     command = ("decay", *SMALL, "--seeds", "1", "--levels", "140",
                "--models", "noGravity")
     assert "1 runs" in study(*command)
-    file = study.results.parent/"study.py"
+    file = study.results.parent/"cases.py"
     text = file.read_text()
     file.write_text(text.replace("SchillerNaumann", "Stokes"))
     try:
@@ -102,7 +102,7 @@ def test_another_model_of_the_same_name_is_run_anew(study):
 
 def test_what_is_wrong_is_said(study):
     assert "no model wrong" in study("levels", "--models", "wrong", status=1)
-    file = study.results.parent/"study.py"
+    file = study.results.parent/"cases.py"
     text = file.read_text()
     file.write_text(text.replace("type ProudmanPearson;", "type unknown;"))
     try:
