@@ -51,6 +51,47 @@ class AerosolCase(FoamCase):
             f"density {density};\nsource list;\nparticles\n({entries}\n);",
         )
 
+    def exact_times(self, step, interval):
+        """Steps of a power of two, whose multiples the names of times keep."""
+        self.control("deltaT", repr(step))
+        self.control("writeInterval", str(interval))
+        self.control("timePrecision", "16")
+        self.exact_numbers()
+
+    def exact_numbers(self):
+        """17 digits, which decomposePar and reconstructPar need."""
+        self.replace(
+            "system/controlDict", r"writePrecision\s+16", "writePrecision 17"
+        )
+
+    def run_on(self, ranks, *times):
+        """The solver on some ranks, put together; from the given times."""
+        self.write(
+            "system/decomposeParDict",
+            f"""FoamFile
+{{
+    version 2.0; format ascii; class dictionary; object decomposeParDict;
+}}
+numberOfSubdomains {ranks};
+method  simple;
+simpleCoeffs {{ n (1 {ranks} 1); delta 0.001; }}
+""",
+        )
+        self.run("decomposePar", "-force", *times)
+
+        # Without fields, decomposePar makes no time for a rank whose part of
+        # the mesh has no particles; OpenFOAM then refuses to start
+        for part in self.path.glob("processor*"):
+            for name in self.times():
+                (part/name).mkdir(exist_ok=True)
+
+        log = self.run(
+            "mpirun", "--oversubscribe", "-np", ranks,
+            "acousticDEMFoam", "-parallel",
+        )
+        self.run("reconstructPar", "-latestTime")
+        return log
+
     def times(self):
         """Names of the time directories, in order of time."""
         return sorted(

@@ -22,30 +22,7 @@ def run_on(case, ranks, *times):
     if ranks == 1:
         case.run("acousticDEMFoam")
     else:
-        case.write(
-            "system/decomposeParDict",
-            f"""FoamFile
-{{
-    version 2.0; format ascii; class dictionary; object decomposeParDict;
-}}
-numberOfSubdomains {ranks};
-method  simple;
-simpleCoeffs {{ n (1 {ranks} 1); delta 0.001; }}
-""",
-        )
-        case.run("decomposePar", "-force", *times)
-
-        # Without fields, decomposePar makes no time for a rank whose part of
-        # the mesh has no particles; OpenFOAM then refuses to start
-        for part in case.path.glob("processor*"):
-            for name in case.times():
-                (part/name).mkdir(exist_ok=True)
-
-        case.run(
-            "mpirun", "--oversubscribe", "-np", ranks,
-            "acousticDEMFoam", "-parallel",
-        )
-        case.run("reconstructPar", "-latestTime")
+        case.run_on(ranks, *times)
 
     times = [name for name in case.times() if float(name) > 0]
     tables = sorted((case.path/"postProcessing"/"aerosol").rglob("*.dat"))
@@ -98,9 +75,7 @@ def fixture_stepping(request, tmp_path_factory, meshed):
             case.aerosol("max", "7e-6")
             case.control("endTime", "#eval{ 0.1/$frequency }")
             case.control("writeInterval", "10")
-        case.replace(
-            "system/controlDict", r"writePrecision\s+16", "writePrecision 17"
-        )
+        case.exact_numbers()
         return case
 
     return make, run_on(make("serial"), 1)
@@ -253,12 +228,7 @@ def test_continues_on_other_ranks(tmp_path, meshed, aggregate):
         case.model("timeStepping", STEPPINGS["eventDriven"])
         case.model("aggregate", aggregate)
         case.aerosol("numberConcentration", "30e12")
-        case.control("deltaT", repr(step))
-        case.control("writeInterval", "10")
-        case.control("timePrecision", "16")
-        case.replace(
-            "system/controlDict", r"writePrecision\s+16", "writePrecision 17"
-        )
+        case.exact_times(step, 10)
         case.control("endTime", repr((20 if name == "whole" else 10)*step))
         case.run("acousticDEMFoam")
 
@@ -293,12 +263,7 @@ def test_noise_continues_on_ranks_without_particles(tmp_path, meshed):
                 ((61.45e-3, 0.21e-3, 0.2e-3), 2e-6),
             ]
         )
-        case.control("deltaT", repr(step))
-        case.control("writeInterval", "10")
-        case.control("timePrecision", "16")
-        case.replace(
-            "system/controlDict", r"writePrecision\s+16", "writePrecision 17"
-        )
+        case.exact_times(step, 10)
         case.control("endTime", repr((20 if name == "whole" else 10)*step))
         case.run("acousticDEMFoam")
 

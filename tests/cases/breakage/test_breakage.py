@@ -22,13 +22,8 @@ def make(directory, meshed, law, steps):
     case.model("timeStepping", "type eventDriven;")
     case.model("aggregate", "type fractal; dimension 1.8;")
     case.aerosol("numberConcentration", "40e12")
-    case.control("deltaT", repr(STEP))
-    case.control("writeInterval", "15")
-    case.control("timePrecision", "16")
+    case.exact_times(STEP, 15)
     case.control("endTime", repr(steps*STEP))
-    case.replace(
-        "system/controlDict", r"writePrecision\s+16", "writePrecision 17"
-    )
     case.write(
         "constant/aerosolProperties",
         (case.path/"constant"/"aerosolProperties").read_text()
@@ -51,29 +46,6 @@ def rows(case, name):
     ]
 
 
-def on_ranks(case, ranks, *times):
-    case.write(
-        "system/decomposeParDict",
-        f"""FoamFile
-{{
-    version 2.0; format ascii; class dictionary; object decomposeParDict;
-}}
-numberOfSubdomains {ranks};
-method  simple;
-simpleCoeffs {{ n (1 {ranks} 1); delta 0.001; }}
-""",
-    )
-    case.run("decomposePar", "-force", *times)
-    for part in case.path.glob("processor*"):
-        for name in case.times():
-            (part/name).mkdir(exist_ok=True)
-    case.run(
-        "mpirun", "--oversubscribe", "-np", ranks,
-        "acousticDEMFoam", "-parallel",
-    )
-    case.run("reconstructPar", "-latestTime")
-
-
 @pytest.mark.parametrize("law", LAWS)
 def test_keeps_account(tmp_path, meshed, law):
     """Half of a run on one rank, the other half on three; all that was there
@@ -84,7 +56,7 @@ def test_keeps_account(tmp_path, meshed, law):
     parts = make(tmp_path/"parts", meshed, law, 15)
     parts.run("acousticDEMFoam")
     parts.control("endTime", repr(30*STEP))
-    on_ranks(parts, 3, "-latestTime")
+    parts.run_on(3, "-latestTime")
 
     first = whole.cloud("0")
     last = whole.cloud(whole.times()[-1])

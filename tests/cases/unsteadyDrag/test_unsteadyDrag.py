@@ -10,15 +10,6 @@ from aerosolcase import AerosolCase
 # A power of two, of which all multiples are exact in the name of a time
 STEP = 2**-17  # s
 
-DECOMPOSITION = """FoamFile
-{
-    version 2.0; format ascii; class dictionary; object decomposeParDict;
-}
-numberOfSubdomains 2;
-method  simple;
-simpleCoeffs { n (1 2 1); delta 0.001; }
-"""
-
 
 def prepare(directory, meshed, stepping, drag="type Basset;"):
     """Thirty steps of a dense aerosol, with some mergers."""
@@ -31,14 +22,8 @@ def prepare(directory, meshed, stepping, drag="type Basset;"):
         "constant/aerosolProperties", "gravity\n",
         f"unsteadyDrag {{ {drag} }}\n\ngravity\n",
     )
-    case.control("deltaT", repr(STEP))
-    case.control("timePrecision", "16")
-    case.replace(
-        "system/controlDict", r"writePrecision\s+16", "writePrecision 17"
-    )
-    case.control("writeInterval", "15")
+    case.exact_times(STEP, 15)
     case.control("endTime", repr(30*STEP))
-    case.write("system/decomposeParDict", DECOMPOSITION)
     return case
 
 
@@ -59,13 +44,7 @@ def test_goes_on_anywhere(tmp_path, meshed, stepping):
     parts.control("endTime", repr(15*STEP))
     parts.run("acousticDEMFoam")
     parts.control("endTime", repr(30*STEP))
-    parts.run("decomposePar", "-latestTime")
-    for part in parts.path.glob("processor*"):
-        (part/parts.times()[-1]).mkdir(exist_ok=True)
-    log = parts.run(
-        "mpirun", "--oversubscribe", "-np", 2, "acousticDEMFoam", "-parallel"
-    )
-    parts.run("reconstructPar", "-latestTime")
+    log = parts.run_on(2, "-latestTime")
 
     assert "Continuing with the" in log
     assert "begins anew" not in log
