@@ -119,6 +119,8 @@ Foam::aerosol::aerosolCloud::aerosolCloud
             << " new aggregates for 'breakage' to break" << endl;
     }
 
+    contacts_.breakBy(breakages_.model());
+
     if (reportsContacts_)
     {
         contacts_.keepRecords();
@@ -864,6 +866,7 @@ void Foam::aerosol::aerosolCloud::evolve()
     const bool broken = breakages_.apply
     (
         particles_,
+        contacts_.takeImpacts(),
         motion_,
         sound_,
         *domain_,

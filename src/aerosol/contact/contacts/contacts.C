@@ -18,6 +18,7 @@ Foam::aerosol::contacts::contacts(const dictionary& dict)
 :
     outcome_(contactOutcome::New(dict.subDict("contact"))),
     aggregate_(aggregate::New(dict.subDict("aggregate"))),
+    breakage_(nullptr),
     before_(0),
     count_(0),
     nAbsorbed_(0),
@@ -36,6 +37,36 @@ Foam::aerosol::contacts::contacts(const dictionary& dict)
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::aerosol::contacts::remember
+(
+    const std::int64_t survivor,
+    const std::int64_t absorbed,
+    const breakage::impact& hit
+)
+{
+    breakage::impact hardest = hit;
+
+    for (const std::int64_t id : {survivor, absorbed})
+    {
+        const auto before = impacts_.find(id);
+
+        if (before != impacts_.end())
+        {
+            if (before->second.energy > hardest.energy)
+            {
+                hardest = before->second;
+            }
+            impacts_.erase(before);
+        }
+    }
+
+    if (hardest.energy > 0)
+    {
+        impacts_[survivor] = hardest;
+    }
+}
+
 
 void Foam::aerosol::contacts::keep
 (
@@ -64,7 +95,8 @@ void Foam::aerosol::contacts::keep
         v.norm(),
         std::atan2(r.cross(v).norm(), r.dot(v)),
         merged,
-        bounced
+        bounced,
+        pair.number
     });
 }
 
@@ -79,7 +111,11 @@ int Foam::aerosol::contacts::meet
 {
     ++count_;
 
-    const bool merges = aggregate_->merges() && outcome_->sticks(p, pair);
+    const breakage::impact hit =
+        breakage_ ? breakage_->hit(p, pair) : breakage::impact();
+
+    const bool merges =
+        aggregate_->merges() && (hit.energy > 0 || outcome_->sticks(p, pair));
 
     if (!merges && outcome_->bounces())
     {
@@ -120,6 +156,11 @@ int Foam::aerosol::contacts::meet
         pair.xi -= pair.shift;
         pair.xj -= pair.shift;
         pair.shift = -pair.shift;
+    }
+
+    if (breakage_)
+    {
+        remember(p.id(pair.i), p.id(pair.j), hit);
     }
 
     keep(p, pair, true);
@@ -171,7 +212,7 @@ Foam::aerosol::contacts::takeRecords()
         return {};
     }
 
-    constexpr int length = 9;
+    constexpr int length = 10;
 
     std::vector<double> mine;
 
@@ -182,7 +223,7 @@ Foam::aerosol::contacts::takeRecords()
             const double value :
             {
                 r.time, double(r.id1), double(r.id2), r.d1, r.d2, r.speed,
-                r.angle, double(r.merged), double(r.bounced)
+                r.angle, double(r.merged), double(r.bounced), double(r.number)
             }
         )
         {
@@ -205,7 +246,7 @@ Foam::aerosol::contacts::takeRecords()
             ({
                 part[k], std::int64_t(part[k + 1]), std::int64_t(part[k + 2]),
                 part[k + 3], part[k + 4], part[k + 5], part[k + 6],
-                part[k + 7] > 0, part[k + 8] > 0
+                part[k + 7] > 0, part[k + 8] > 0, std::uint64_t(part[k + 9])
             });
         }
     }
@@ -217,9 +258,62 @@ Foam::aerosol::contacts::takeRecords()
         [](const record& a, const record& b)
         {
             return
-                std::tie(a.time, a.id1, a.id2) < std::tie(b.time, b.id1, b.id2);
+                std::tie(a.time, a.number, a.id1, a.id2)
+              < std::tie(b.time, b.number, b.id1, b.id2);
         }
     );
+
+    return taken;
+}
+
+
+std::map<std::int64_t, Foam::aerosol::breakage::impact>
+Foam::aerosol::contacts::takeImpacts()
+{
+    std::map<std::int64_t, breakage::impact> taken;
+
+    if (!breakage_)
+    {
+        return taken;
+    }
+
+    constexpr int length = 6;
+
+    std::vector<double> mine;
+
+    for (const auto& one : impacts_)
+    {
+        const breakage::impact& hit = one.second;
+
+        for
+        (
+            const double value :
+            {
+                double(one.first), hit.energy, hit.mass, hit.direction.x(),
+                hit.direction.y(), hit.direction.z()
+            }
+        )
+        {
+            mine.push_back(value);
+        }
+    }
+    impacts_.clear();
+
+    for
+    (
+        const std::vector<double>& part :
+        bricks::exchange(messages(bricks::nRanks(), mine))
+    )
+    {
+        for (std::size_t k = 0; k < part.size(); k += length)
+        {
+            taken[std::int64_t(part[k])] =
+            {
+                part[k + 1], part[k + 2],
+                Eigen::Vector3d(part[k + 3], part[k + 4], part[k + 5])
+            };
+        }
+    }
 
     return taken;
 }

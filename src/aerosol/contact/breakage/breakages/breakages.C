@@ -162,6 +162,7 @@ Foam::aerosol::breakages::takeRecords()
 bool Foam::aerosol::breakages::apply
 (
     particleArrays& p,
+    const std::map<std::int64_t, breakage::impact>& impacts,
     const equationOfMotion& motion,
     const acoustics::soundField& sound,
     const domain& region,
@@ -225,6 +226,13 @@ bool Foam::aerosol::breakages::apply
             where.gradient = gradient[k];
         }
 
+
+        const auto hit = impacts.find(p.id(i));
+        if (hit != impacts.end())
+        {
+            where.hit = hit->second;
+        }
+
         if (!model_->mayBreak(p, i, where, sound.gas()))
         {
             continue;
@@ -233,18 +241,22 @@ bool Foam::aerosol::breakages::apply
         particleArrays two = pieces(p, i);
         motion.refresh(two);
 
-        Eigen::Vector3d direction;
-        if (!model_->breaks(p, i, two, where, sound.gas(), direction))
+        breakage::parting parting;
+        if (!model_->breaks(p, i, two, where, sound.gas(), parting))
         {
             continue;
         }
 
         // About the common centre of mass
         const Eigen::Vector3d apart =
-            (1 + gap)*0.5*(two.collision(0) + two.collision(1))*direction;
+            (1 + gap)*0.5*(two.collision(0) + two.collision(1))
+           *parting.direction;
+        const Eigen::Vector3d speed = parting.speed*parting.direction;
 
         two.x.col(0) -= two.m(1)/p.m(i)*apart;
         two.x.col(1) += two.m(0)/p.m(i)*apart;
+        two.v.col(0) -= two.m(1)/p.m(i)*speed;
+        two.v.col(1) += two.m(0)/p.m(i)*speed;
 
         for
         (

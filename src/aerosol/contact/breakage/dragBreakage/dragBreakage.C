@@ -62,7 +62,7 @@ bool Foam::aerosol::dragBreakage::breaks
     const particleArrays& pieces,
     const surroundings& where,
     const acoustics::gasProperties&,
-    Eigen::Vector3d& direction
+    parting& apart
 ) const
 {
     const scalar U = where.slip.norm();
@@ -73,7 +73,7 @@ bool Foam::aerosol::dragBreakage::breaks
         return false;
     }
 
-    direction = where.slip*(T > 0 ? 1/U : -1/U);
+    apart.direction = where.slip*(T > 0 ? 1/U : -1/U);
 
     return true;
 }

@@ -65,7 +65,7 @@ bool Foam::aerosol::shearBreakage::breaks
     const particleArrays&,
     const surroundings& where,
     const acoustics::gasProperties& gas,
-    Eigen::Vector3d& direction
+    parting& apart
 ) const
 {
     const Eigen::Matrix3d strain =
@@ -79,7 +79,7 @@ bool Foam::aerosol::shearBreakage::breaks
         return false;
     }
 
-    direction = principal.eigenvectors().col(2);
+    apart.direction = principal.eigenvectors().col(2);
 
     return true;
 }

@@ -7,6 +7,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "checkedEntry.H"
 #include "dimensionSets.H"
+#include "reducedModulus.H"
 
 #include <algorithm>
 #include <cmath>
@@ -21,33 +22,6 @@ namespace aerosol
     addToRunTimeSelectionTable(contactOutcome, criticalVelocity, dictionary);
 }
 }
-
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-using namespace Foam;
-
-//- That of two alike [Pa]
-scalar reducedModulus(const dictionary& dict)
-{
-    const scalar E = readPositive(dict, "YoungsModulus", dimPressure);
-    const scalar nu =
-        readNonNegative(dict, "PoissonRatio", dimless, 0.3);
-
-    if (nu > 0.5)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'PoissonRatio' of " << dict.name() << " is " << nu
-            << ", but it must not be above 0.5" << exit(FatalIOError);
-    }
-
-    return 0.5*E/(1 - nu*nu);
-}
-
-} // End anonymous namespace
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
