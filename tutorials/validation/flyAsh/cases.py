@@ -25,6 +25,11 @@ ALL = {
 }
 BOUNCE = "type criticalVelocity; workOfAdhesion 0.05; YoungsModulus 70e9;"
 SOFT = "type criticalVelocity; workOfAdhesion 0.1; YoungsModulus 5e9;"
+IMPACTS = ("type impact; bond { type JKR; workOfAdhesion 0.05;"
+           " YoungsModulus 70e9; }")
+SOFT_IMPACTS = ("type impact; bond { type JKR; workOfAdhesion 0.1;"
+                " YoungsModulus 5e9; }")
+DRAG = "type drag; bond { type JKR; workOfAdhesion 0.05; }"
 EDDIES = "type syntheticTurbulence; dissipation {};"
 MODELS = {
     "none": {},
@@ -55,6 +60,27 @@ MODELS = {
     "OseenBounce": {"wake": "type Oseen;", "contact": BOUNCE},
     "OseenSoftBounce": {"wake": "type Oseen;", "contact": SOFT},
     "memoryBounce": {"wake": "type memory;", "contact": BOUNCE},
+    # Aggregates break: by drag, and by impacts
+    "noneDragBreakage": {"breakage": DRAG},
+    "noneImpacts": {"breakage": IMPACTS},
+    "OseenImpacts": {"wake": "type Oseen;", "breakage": IMPACTS},
+    "memoryImpacts": {"wake": "type memory;", "breakage": IMPACTS},
+    "turbulence10Impacts": {
+        "turbulence": EDDIES.format(10), "breakage": IMPACTS
+    },
+    "turbulence10SoftImpacts": {
+        "turbulence": EDDIES.format(10), "breakage": SOFT_IMPACTS
+    },
+    "turbulence10BounceImpacts": {
+        "turbulence": EDDIES.format(10), "contact": BOUNCE, "breakage": IMPACTS
+    },
+    "turbulence10SoftBounce": {
+        "turbulence": EDDIES.format(10), "contact": SOFT
+    },
+    "turbulence10SoftBounceImpacts": {
+        "turbulence": EDDIES.format(10), "contact": SOFT,
+        "breakage": SOFT_IMPACTS
+    },
 }
 
 # The measured point, and the aerosol that is assumed with it
