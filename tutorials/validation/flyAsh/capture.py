@@ -218,7 +218,7 @@ def fall(pairs, cells=200, far=50, wide=1.2):
 
 
 def sheet(pairs, cells, depth, x, y, seed=1):
-    """Area that meets of the plane through which the small ones rise, 4AR + ...
+    """Area that meets of the plane through which the small ones rise, and 4AR + pi R^2.
 
     They start at random phases from random mean places, depth below the larger
     one, beside it by x[0] to x[1] and by less than y, and as much on the other
@@ -324,6 +324,7 @@ def study(case, balance):
         ))
     print_falls()
 
+    # All come from there: sheet(pair, (80, 20), 185e-6, (0, 500e-6), 40e-6)
     pair = Pairs(5e-6, 2e-6, frequency, u0, "Oseen", GRAVITY, fine=0.4)
     area, whole, found = sheet(pair, (24, 16), 185e-6, (240e-6, 300e-6), 16e-6)
     n = found.shape[1]
@@ -366,7 +367,8 @@ def study(case, balance):
         expected = [np.interp(x + s*dx, none, wakes) for s in (-1, 0, 1)]
         print(f"   weakened to the {x} +- {dx} of the DEM without wakes, by"
               f" {np.interp(x, none, refill):.2f}: {expected[1]:.1f}"
-              f" ({expected[0]:.1f} to {expected[2]:.1f}); DEM {y} +- {dy}")
+              f" ({expected[0]:.1f} to {expected[2]:.1f}), PM2.5"
+              f" {np.interp(x, none, both[:, 1, 1]):.1f}; DEM {y} +- {dy}")
         right.plot(none, wakes, color=color, label=f"balance, {label}, times"
                    " 0 to 1")
         right.errorbar(x, y, dy, dx, "s", color=color, capsize=2, ms=5,
