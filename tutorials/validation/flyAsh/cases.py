@@ -36,6 +36,7 @@ MODELS = {
     "noGravity": {"gravity": "type none;"},
     "Brownian": {"Brownian": "type OrnsteinUhlenbeck;"},
     "Oseen": {"wake": "type Oseen;"},
+    "OseenNoGravity": {"wake": "type Oseen;", "gravity": "type none;"},
     "ProudmanPearson": {"wake": "type ProudmanPearson;"},
     "memory": {"wake": "type memory;"},
     # What is below 0.05 m/s is left out: shows how much that matters

@@ -8,6 +8,7 @@
   sensitivity  how much the assumed aerosol matters: median, GSD, concentration
   boxes        how much the size of the box and the time step matter
   refill       the DEM and a population balance, where they agree and where not
+  capture      pairs by brute force: what wakes take from the paths
 
 Each runs the cases that it needs, as many at a time as there are cores, and
 keeps them in results/: those that are there already are not run again, and a
@@ -35,6 +36,7 @@ except ImportError as error:
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+import capture
 import refill
 import smoluchowski
 from cases import MODELS, POINT, Runner, at, least_count
@@ -366,6 +368,15 @@ class Studies:
         )
         self.save(figure, "refill")
 
+    def capture(self):
+        """At the point; without the solver."""
+        def efficiency(kernel):
+            _, N, P = balance(POINT, self.options.time, lambda *_: kernel)
+            return [100*(1 - n[-1]/n[0]) for n in (N, P)]
+
+        self.runner.results.mkdir(parents=True, exist_ok=True)
+        self.save(capture.study(POINT, efficiency), "capture")
+
 
 DEFAULT_MODELS = {
     "levels": ["Brownian", "Oseen"],
@@ -377,6 +388,7 @@ DEFAULT_MODELS = {
     "sensitivity": ["Oseen"],
     "boxes": ["none", "Brownian", "Oseen"],
     "refill": [],
+    "capture": [],
 }
 
 
