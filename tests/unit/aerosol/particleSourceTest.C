@@ -441,7 +441,8 @@ TEST(listSource, entriesAreRead)
     (
         "source list; particles ("
         " { position (0.0601 0 1e-4); diameter 5e-6; velocity (1 2 3); }"
-        " { position (0.0602 1e-5 2e-4); diameter 8e-6; velocity (4 5 6); } );"
+        " { position (0.0602 1e-5 2e-4); diameter 8e-6; velocity (4 5 6);"
+        " primaries 3; } );"
     );
 
     ASSERT_EQ(particles.size(), 2);
@@ -453,7 +454,8 @@ TEST(listSource, entriesAreRead)
     EXPECT_EQ(particles.d(0), 5e-6);
     EXPECT_EQ(particles.d(1), 8e-6);
     EXPECT_NEAR(particles.m(0), 1.5053464798451093e-13, 1e-26);
-    EXPECT_EQ(particles.primaries(1), 1);
+    EXPECT_EQ(particles.primaries(0), 1);
+    EXPECT_EQ(particles.primaries(1), 3);
 }
 
 
@@ -483,6 +485,18 @@ TEST(listSource, fileIsReadAsTheSameEntries)
     const temporaryFile withoutVelocity("x,y,z,d\n0.0601,0,1e-4,5e-6\n");
 
     EXPECT_TRUE((create(withoutVelocity.entries()).v.array() == 0).all());
+
+    // Aggregates
+    const temporaryFile moving
+    (
+        "x,y,z,d,vx,vy,vz,primaries\n0.0601,0,1e-4,5e-6,1,2,3,12\n"
+    );
+    EXPECT_EQ(create(moving.entries()).primaries(0), 12);
+    EXPECT_EQ(create(moving.entries()).v(2, 0), 3);
+
+    const temporaryFile resting("x,y,z,d,primaries\n0.0601,0,1e-4,5e-6,7\n");
+    EXPECT_EQ(create(resting.entries()).primaries(0), 7);
+    EXPECT_EQ(create(resting.entries()).v(2, 0), 0);
 }
 
 
@@ -596,6 +610,18 @@ TEST(listSource, badEntriesAreRefused)
         list(ok + "{ position (0 0 0); diameter 5e-6; }"),
         "number 2 of 'particles', is outside"
     );
+    for (const std::string primaries : {"0", "1.5", "-3"})
+    {
+        expectRefused
+        (
+            list
+            (
+                "{ position (0.0601 0 0); diameter 5e-6; primaries "
+              + primaries + "; }"
+            ),
+            "number 1 of 'particles' are " + primaries
+        );
+    }
     expectRefused("source list; file \"/no/such/file\";", "/no/such/file");
 }
 

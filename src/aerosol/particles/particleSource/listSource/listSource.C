@@ -10,6 +10,8 @@
 #include "domain.H"
 #include "searchGrid.H"
 
+#include <cmath>
+
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
 namespace Foam
@@ -24,9 +26,40 @@ namespace aerosol
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::aerosol::listSource::addPrimaries
+(
+    const scalar primaries,
+    const std::size_t i
+)
+{
+    if
+    (
+        primaries < 1
+     || primaries > labelMax
+     || std::trunc(primaries) < primaries
+    )
+    {
+        FatalIOErrorInFunction(dict_)
+            << "The 'primaries' in " << where_[i].c_str() << " are "
+            << primaries << ", but they must be a whole number from 1 on"
+            << exit(FatalIOError);
+    }
+
+    primaries_.push_back(static_cast<std::int64_t>(primaries));
+}
+
+
 void Foam::aerosol::listSource::readFile()
 {
-    const csvTable table(dict_, "file", {"x,y,z,d", "x,y,z,d,vx,vy,vz"});
+    const csvTable table
+    (
+        dict_,
+        "file",
+        {
+            "x,y,z,d", "x,y,z,d,vx,vy,vz", "x,y,z,d,primaries",
+            "x,y,z,d,vx,vy,vz,primaries"
+        }
+    );
 
     for (std::size_t i = 0; i < table.rows().size(); ++i)
     {
@@ -36,10 +69,13 @@ void Foam::aerosol::listSource::readFile()
         diameters_.push_back(row[3]);
         where_.push_back(table.where(i));
 
-        if (row.size() == 7)
+        if (row.size() >= 7)
         {
             velocities_.emplace_back(row[4], row[5], row[6]);
         }
+
+        const bool counted = row.size() == 5 || row.size() == 8;
+        addPrimaries(counted ? row.back() : 1, i);
 
         if (row[3] <= 0)
         {
@@ -61,11 +97,12 @@ void Foam::aerosol::listSource::readEntries()
         const dictionary& entry = entries[i];
         const vector x = entry.get<vector>("position");
 
-        requireOnly(entry, {"position", "diameter", "velocity"});
+        requireOnly(entry, {"position", "diameter", "velocity", "primaries"});
 
         positions_.emplace_back(x.x(), x.y(), x.z());
         diameters_.push_back(readPositive(entry, "diameter", dimLength));
         where_.push_back("number " + std::to_string(i + 1) + " of 'particles'");
+        addPrimaries(entry.lookupOrDefault<scalar>("primaries", 1), i);
 
         if (entry.found("velocity"))
         {
@@ -216,6 +253,7 @@ void Foam::aerosol::listSource::create
     {
         particles.x.col(i) = positions_[i];
         particles.d(i) = diameters_[i];
+        particles.primaries(i) = primaries_[i];
 
         if (!velocities_.empty())
         {
