@@ -53,6 +53,50 @@ Eigen::Matrix3Xd Foam::acoustics::velocityLattice::nodes() const
 }
 
 
+double Foam::acoustics::velocityLattice::rmsGradient
+(
+    const values& nodeVelocity
+) const
+{
+    const Eigen::Index next[3] = {1, size(0), Eigen::Index(size(0))*size(1)};
+
+    double sum = 0;
+    double n = 0;
+
+    for (int k = 0; k < size(2) - 1; ++k)
+    {
+        for (int j = 0; j < size(1) - 1; ++j)
+        {
+            for (int i = 0; i < size(0) - 1; ++i)
+            {
+                const Eigen::Index corner = i*next[0] + j*next[1] + k*next[2];
+
+                for (int d = 0; d < 3; ++d)
+                {
+                    // The four edges in this direction
+                    const Eigen::Index b = next[(d + 1) % 3];
+                    const Eigen::Index c = next[(d + 2) % 3];
+
+                    Eigen::Array4d difference = Eigen::Array4d::Zero();
+                    for (const Eigen::Index from : {0*b, b, c, b + c})
+                    {
+                        difference +=
+                            nodeVelocity.col(corner + from + next[d])
+                          - nodeVelocity.col(corner + from);
+                    }
+
+                    sum += (difference/(4*spacing_[d])).square().sum();
+                }
+
+                n += 1;
+            }
+        }
+    }
+
+    return std::sqrt(sum/n);
+}
+
+
 void Foam::acoustics::velocityLattice::interpolate
 (
     const values& nodeVelocity,
