@@ -222,7 +222,7 @@ Foam::scalar Foam::acoustics::harmonicFlow::flattenMean(const label number)
 
     const Eigen::Vector3d low = nodes.col(0);
     const Eigen::Vector3d high = nodes.col(nodes.cols() - 1);
-    const scalar gradient = lattice.rmsGradient(mean);
+    const scalar gradient = r.sampler->rmsGradient(mean);
     const scalar largest = std::sqrt(mean.square().colwise().sum().maxCoeff());
 
     Eigen::Matrix3Xd middle;

@@ -14,7 +14,6 @@ FREQUENCY = 1400
 WAVE_NUMBER = 2*np.pi*FREQUENCY/343.2
 HALF_GAP = 0.01  # m, that of the mesh
 STREAMING = 3*1.53**2/(8*343.2)  # m/s
-CELLS = (8, 8, 8)
 LOW, HIGH = np.array([0.051, -0.01, -0.01]), np.array([0.071, 0.01, 0.01])
 CENTRE, LENGTH = np.array([0.053, 0.004, 0.001]), 0.5e-3
 
@@ -36,6 +35,10 @@ def streaming(x):
     return u, (gradient**2).sum(0)
 
 
+def velocity(x, factor=1):
+    return factor*streaming(x)[0]
+
+
 def middles(low, high, n):
     """Of cells, x first."""
     axes = [a + (b - a)*(np.arange(m) + 0.5)/m for a, b, m in zip(low, high, n)]
@@ -55,15 +58,16 @@ def write(case, name, values):
     )
 
 
-def prepare(directory, meshed, mean, more="meanFlow yes;"):
-    """Twenty steps in that mean flow of the cells."""
+def prepare(directory, meshed, mean, more="meanFlow yes;", cells=(8, 8, 8)):
+    """Twenty steps in that mean flow at the middles of the cells."""
     case = AerosolCase(directory, meshed)
-    case.replace("system/blockMeshDict", r"\(4 4 4\)", "({} {} {})".format(*CELLS))
+    case.replace("system/blockMeshDict", r"\(4 4 4\)", "({} {} {})".format(*cells))
     case.run("blockMesh")
     (case.path/"0").mkdir(exist_ok=True)
-    write(case, "UMean", mean)
-    write(case, "UCos1", 0*mean)
-    write(case, "USin1", 0*mean + [1, 0, 0])
+    values = mean(middles(LOW, HIGH, cells))
+    write(case, "UMean", values)
+    write(case, "UCos1", 0*values)
+    write(case, "USin1", 0*values + [1, 0, 0])
     case.replace(
         "constant/acousticProperties", r"(?s)sound\s*\{.*\}",
         f"sound {{ type replay; frequency {FREQUENCY}; }}",
@@ -81,16 +85,15 @@ def prepare(directory, meshed, mean, more="meanFlow yes;"):
     return case
 
 
-CELL_MIDDLES = middles(LOW, HIGH, CELLS)
-
-
 def gradients(log):
     """Of the mean flow, and of the eddies."""
     return [float(x) for x in re.findall(r"rms gradient (\S+) 1/s", log)]
 
 
-def test_is_that_of_rayleighs_streaming(tmp_path, meshed):
-    case = prepare(tmp_path/"case", meshed, streaming(CELL_MIDDLES)[0])
+# The box within a cell, and with four cells across
+@pytest.mark.parametrize("cells", [(8, 8, 8), (8, 160, 2)])
+def test_is_that_of_rayleighs_streaming(tmp_path, meshed, cells):
+    case = prepare(tmp_path/"case", meshed, velocity, cells=cells)
     case.control("endTime", repr(STEP))
     found = gradients(case.run("acousticDEMFoam"))
 
@@ -98,15 +101,17 @@ def test_is_that_of_rayleighs_streaming(tmp_path, meshed):
     exact = np.sqrt(streaming(box)[1].mean())
     there = np.sqrt(streaming(CENTRE)[1])
     print(
-        f"streaming: gradient {found[0]} 1/s, {exact:.6g} in the box by theory"
-        f" ({there:.6g} in the middle): {100*(found[0]/exact - 1):.3f} % off"
+        f"streaming, cells {cells}: gradient {found[0]} 1/s,"
+        f" {exact:.6g} in the box by theory ({there:.6g} in the middle):"
+        f" {100*(found[0]/exact - 1):.3f} % off"
     )
     assert found[0] == found[1] == pytest.approx(exact, rel=2e-3)
 
 
 def test_depends_on_neither_ranks_nor_restarts(tmp_path, meshed):
     # Strong, so that it matters within so few steps
-    mean = 1e4*streaming(CELL_MIDDLES)[0]
+    def mean(x):
+        return velocity(x, 1e4)
 
     whole = prepare(tmp_path/"whole", meshed, mean)
     log = whole.run("acousticDEMFoam")
@@ -129,10 +134,11 @@ def test_depends_on_neither_ranks_nor_restarts(tmp_path, meshed):
 
 def test_leaves_the_mean_velocity_but_not_its_gradient(tmp_path, meshed):
     """Particles that follow the gas, with eddies that hardly move it."""
-    mean = streaming(CELL_MIDDLES)[0]
+    def mean(x):
+        return velocity(x, 1e3)
 
     def spread(more):
-        case = prepare(tmp_path/more.split()[0], meshed, 1e3*mean, more)
+        case = prepare(tmp_path/more.split()[0], meshed, mean, more)
         case.model(
             "particles",
             "density 2300; source list; particles (" + " ".join(
@@ -197,9 +203,8 @@ def refused(case, what):
 
 
 def test_needs_a_gradient(tmp_path, meshed):
-    uniform = 0*CELL_MIDDLES + [0.3, 0.1, 0]
     refused(
-        prepare(tmp_path/"case", meshed, uniform),
+        prepare(tmp_path/"case", meshed, lambda x: 0*x + [0.3, 0.1, 0]),
         "'meanFlow' of .*turbulence\" is yes, but .* has no gradient in the"
         " domain. .* UMean of .* 'replay' .* or give 'shearRate'"
         " file: .*aerosolProperties",
@@ -207,6 +212,6 @@ def test_needs_a_gradient(tmp_path, meshed):
 
 
 def test_needs_the_mean_flow(tmp_path, meshed):
-    case = prepare(tmp_path/"case", meshed, streaming(CELL_MIDDLES)[0])
+    case = prepare(tmp_path/"case", meshed, velocity)
     (case.path/"0"/"UMean").unlink()
     refused(case, "There is no field .*UMean")
