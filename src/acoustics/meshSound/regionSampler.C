@@ -206,6 +206,9 @@ void Foam::acoustics::regionSampler::makeLattice
 
     const Eigen::Array3d spacing = span/n;
 
+    // Also if a direction has but one cell, or hardly an extent
+    nodesPerCell_ = (cell.min(span)/spacing).round().max(1.0).cast<int>();
+
     // The part that this rank needs
     velocityLattice::index3 first;
     velocityLattice::index3 last;

@@ -53,6 +53,65 @@ Eigen::Matrix3Xd Foam::acoustics::velocityLattice::nodes() const
 }
 
 
+double Foam::acoustics::velocityLattice::rmsGradient
+(
+    const values& nodeVelocity,
+    const Eigen::Array3i& intervals
+) const
+{
+    // A coarser lattice, with nodes at both ends of this one
+    const Eigen::Array3d n(size(0) - 1, size(1) - 1, size(2) - 1);
+    const Eigen::Array3i parts =
+        (n/intervals.cast<double>()).round().max(1.0).cast<int>();
+
+    const velocityLattice coarse
+    (
+        origin_ + spacing_*Eigen::Array3d(first_[0], first_[1], first_[2]),
+        spacing_*n/parts.cast<double>(),
+        {0, 0, 0},
+        {parts[0], parts[1], parts[2]}
+    );
+
+    Eigen::Matrix3Xd u;
+    interpolate(nodeVelocity, coarse.nodes(), u);
+
+    const Eigen::Index row = coarse.size(0);
+    const Eigen::Index next[3] = {1, row, row*coarse.size(1)};
+
+    double sum = 0;
+
+    for (int k = 0; k < parts[2]; ++k)
+    {
+        for (int j = 0; j < parts[1]; ++j)
+        {
+            for (int i = 0; i < parts[0]; ++i)
+            {
+                const Eigen::Index corner = i*next[0] + j*next[1] + k*next[2];
+
+                for (int d = 0; d < 3; ++d)
+                {
+                    // The four edges in this direction
+                    const Eigen::Index b = next[(d + 1) % 3];
+                    const Eigen::Index c = next[(d + 2) % 3];
+
+                    Eigen::Vector3d difference = Eigen::Vector3d::Zero();
+                    for (const Eigen::Index edge : {0*b, b, c, b + c})
+                    {
+                        difference +=
+                            u.col(corner + edge + next[d])
+                          - u.col(corner + edge);
+                    }
+
+                    sum += (difference/(4*coarse.spacing_[d])).squaredNorm();
+                }
+            }
+        }
+    }
+
+    return std::sqrt(sum/parts.cast<double>().prod());
+}
+
+
 void Foam::acoustics::velocityLattice::interpolate
 (
     const values& nodeVelocity,

@@ -12,6 +12,7 @@
 #include "Time.H"
 
 #include <cmath>
+#include <sstream>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -208,6 +209,48 @@ Foam::label Foam::acoustics::harmonicFlow::prepare(const boundBox& box)
     }
 
     return regions_.size() - 1;
+}
+
+
+Foam::scalar Foam::acoustics::harmonicFlow::flattenMean(const label number)
+{
+    region& r = regions_[number];
+    velocityLattice::values& mean = r.terms[0];
+
+    const velocityLattice& lattice = r.sampler->lattice();
+    const Eigen::Matrix3Xd nodes = lattice.nodes();
+
+    const Eigen::Vector3d low = nodes.col(0);
+    const Eigen::Vector3d high = nodes.col(nodes.cols() - 1);
+    const scalar gradient = r.sampler->rmsGradient(mean);
+    const scalar largest = std::sqrt(mean.square().colwise().sum().maxCoeff());
+
+    Eigen::Matrix3Xd middle;
+    lattice.interpolate(mean, 0.5*(low + high), middle);
+
+    mean.topRows<3>().colwise() = middle.col(0).array();
+
+    for (region::moment& m : r.moments)
+    {
+        m.t = VGREAT;
+    }
+
+    const Eigen::IOFormat components
+    (
+        Eigen::StreamPrecision, Eigen::DontAlignCols, " ", "", "", "", "(", ")"
+    );
+
+    std::ostringstream os;
+    os  << "    mean flow from " << low.transpose().format(components)
+        << " to " << high.transpose().format(components) << " m: up to "
+        << largest << " m/s, rms gradient " << gradient
+        << " 1/s;\n    there, from here on the same everywhere: "
+        << middle.transpose().format(components) << " m/s";
+
+    Info<< os.str().c_str() << endl;
+
+    return
+        gradient*lattice.spacing().minCoeff() > 1e-12*largest ? gradient : 0;
 }
 
 

@@ -196,7 +196,17 @@ BAD = {
         AEROSOL, r"domain",
         "turbulence { type syntheticTurbulence; dissipation 1; shearRate 9; }"
         "\ndomain",
-        "exactly one of 'dissipation' .* and 'shearRate'",
+        "exactly one of 'dissipation' .*, 'shearRate' .* and 'meanFlow yes'",
+    ),
+    "turbulenceOfNothing": (
+        AEROSOL, r"domain",
+        "turbulence { type syntheticTurbulence; meanFlow no; }\ndomain",
+        "exactly one of 'dissipation' .*, 'shearRate' .* and 'meanFlow yes'",
+    ),
+    "turbulenceOfAnUnknownMeanFlow": (
+        AEROSOL, r"domain",
+        "turbulence { type syntheticTurbulence; meanFlow yes; }\ndomain",
+        "'meanFlow' .* is not known .* 'replay' .* or give 'shearRate'",
     ),
     "turbulenceInAnOddDomain": (
         AEROSOL, r"domain\s*\{([^}]*)length [^;]*;",

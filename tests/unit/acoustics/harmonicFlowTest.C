@@ -135,6 +135,98 @@ TEST(harmonicFlow, knowsTheLargestSpeed)
 }
 
 
+TEST(harmonicFlow, flattensTheMean)
+{
+    const block room({10, 8, 6}, {0.05, 0.03, 0.02});
+    const boundBox box(point(0.02, 0.011, 0.004), point(0.023, 0.013, 0.009));
+
+    const tensor A(3, -7, 2, 11, -5, 0.5, -1, 4, 2);
+    const vector b(0.1, -0.2, 0.3);
+    const auto swing = [](const vector& x)
+    {
+        return vector(1 - 20*x.y(), 2 + 30*x.z(), -1 + 40*x.x());
+    };
+
+    const vectorField& C = room.mesh->cellCentres();
+    harmonicFlow::terms terms(3, vectorField(C.size()));
+
+    forAll(C, celli)
+    {
+        // grad u has the components du_j/dx_i
+        terms[0][celli] = b + (C[celli] & A);
+        terms[1][celli] = swing(C[celli]);
+        terms[2][celli] = -2*swing(C[celli]);
+    }
+
+    harmonicFlow flow(*room.mesh, frequency, terms);
+    flow.prepare(box);
+    flow.prepare(box);
+
+    Eigen::Matrix3Xd x(3, 20);
+    for (int i = 0; i < x.cols(); ++i)
+    {
+        x.col(i) << 0.02 + 0.00015*i, 0.011 + 0.0001*i, 0.009 - 0.00025*i;
+    }
+
+    const auto off = [&](const label region, const bool flat)
+    {
+        const double t = 0.3/frequency;
+        const double factor = std::cos(0.6*pi) - 2*std::sin(0.6*pi);
+
+        Eigen::Matrix3Xd u;
+        flow.velocity(region, t, x, u);
+
+        double largest = 0;
+        for (int i = 0; i < x.cols(); ++i)
+        {
+            const vector at(x(0, i), x(1, i), x(2, i));
+            const vector exact =
+                b + ((flat ? box.centre() : at) & A) + factor*swing(at);
+
+            largest = std::max
+            (
+                largest, mag(vector(u(0, i), u(1, i), u(2, i)) - exact)
+            );
+        }
+        return largest;
+    };
+
+    EXPECT_LT(off(1, false), 1e-12);
+
+    const double G = flow.flattenMean(1);
+
+    std::printf
+    (
+        "mean flow: gradient off by %.1e, velocity by %.1e m/s\n",
+        G/mag(A) - 1, off(1, true)
+    );
+
+    EXPECT_NEAR(G/mag(A), 1, 1e-10);
+    EXPECT_LT(off(1, true), 1e-12);
+
+    // Not elsewhere, and not twice
+    EXPECT_LT(off(0, false), 1e-12);
+    EXPECT_EQ(flow.flattenMean(1), 0);
+}
+
+
+TEST(harmonicFlow, knowsAMeanWithoutGradient)
+{
+    const block room({10, 8, 6}, {0.05, 0.03, 0.02});
+    const label n = room.mesh->nCells();
+
+    harmonicFlow flow
+    (
+        *room.mesh, frequency,
+        {vectorField(n, vector(5, 1, 0.3)), vectorField(n, vector(1, 0, 0)),
+         vectorField(n, Zero)}
+    );
+    flow.prepare(boundBox(point(0.01, 0.01, 0.01), point(0.02, 0.02, 0.02)));
+
+    EXPECT_EQ(flow.flattenMean(0), 0);
+}
+
+
 TEST(harmonicFlow, namesItsFields)
 {
     EXPECT_EQ(harmonicFlow::name(0), "UMean");

@@ -307,4 +307,34 @@ TEST(regionSampler, refusesARegionOutsideOfTheMesh)
 }
 
 
+TEST(velocityLattice, hasTheGradientOfParts)
+{
+    // Linear, but for every other node
+    const velocityLattice lattice
+    (
+        Eigen::Array3d(1, 2, 3), Eigen::Array3d(0.1, 0.2, 0.3),
+        {0, 0, 0}, {8, 4, 12}
+    );
+    Eigen::Matrix3d A;
+    A << 3, -7, 2, 11, -5, 0.5, -1, 4, 2;
+
+    velocityLattice::values u(4, lattice.size());
+    u.topRows<3>() = (A*lattice.nodes()).array();
+    u.row(3).setZero();
+
+    EXPECT_NEAR(lattice.rmsGradient(u, {1, 1, 1})/A.norm(), 1, 1e-12);
+
+    for (Eigen::Index node = 0; node < u.cols(); ++node)
+    {
+        u(0, node) += node % 9 % 2;
+    }
+
+    EXPECT_GT(lattice.rmsGradient(u, {1, 1, 1})/A.norm(), 1.1);
+    EXPECT_NEAR(lattice.rmsGradient(u, {2, 2, 2})/A.norm(), 1, 1e-12);
+
+    // Longer than the lattice
+    EXPECT_NEAR(lattice.rmsGradient(u, {100, 100, 100})/A.norm(), 1, 1e-12);
+}
+
+
 // ************************************************************************* //

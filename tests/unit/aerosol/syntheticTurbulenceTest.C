@@ -45,6 +45,17 @@ auto quietly(const Make& make)
 }
 
 
+acoustics::soundField& restingGas()
+{
+    static std::unique_ptr<acoustics::soundField> rest
+    (
+        sound<acoustics::quiescent>("type quiescent;")
+    );
+
+    return *rest;
+}
+
+
 autoPtr<syntheticTurbulence> turbulenceOf
 (
     const std::string& entries,
@@ -61,7 +72,7 @@ autoPtr<syntheticTurbulence> turbulenceOf
                 (
                     parse("type syntheticTurbulence; " + entries),
                     box,
-                    gasProperties::air()
+                    restingGas()
                 )
             );
         }
@@ -103,6 +114,29 @@ Eigen::Matrix3d gradientAt
 }
 
 
+//- Gas with turbulence
+turbulentGas* turbulent
+(
+    acoustics::soundField& gas,
+    const std::string& entries,
+    const domain& box
+)
+{
+    return quietly
+    (
+        [&]
+        {
+            turbulentGas* result = new turbulentGas
+            (
+                gas, parse("type syntheticTurbulence; " + entries), box
+            );
+            result->prepare(box.bounds());
+            return result;
+        }
+    );
+}
+
+
 //- Gas that is at rest but for turbulence
 acoustics::soundField* turbulentRest
 (
@@ -110,21 +144,7 @@ acoustics::soundField* turbulentRest
     const domain& box
 )
 {
-    static std::unique_ptr<acoustics::soundField> rest
-    (
-        sound<acoustics::quiescent>("type quiescent;")
-    );
-
-    return quietly
-    (
-        [&]
-        {
-            return new turbulentGas
-            (
-                *rest, parse("type syntheticTurbulence; " + entries), box
-            );
-        }
-    );
+    return turbulent(restingGas(), entries, box);
 }
 
 class turbulentKernel
@@ -439,18 +459,7 @@ TEST(syntheticTurbulence, doesNotMakeStrategiesDiffer)
         experiment gas
         (
             arrays(spheres), vec::Constant(1e-3), law,
-            quietly
-            (
-                [&]
-                {
-                    return new turbulentGas
-                    (
-                        swing,
-                        parse("type syntheticTurbulence; shearRate 2000;"),
-                        box
-                    );
-                }
-            )
+            turbulent(swing, "shearRate 2000;", box)
         );
 
         const int steps = stepping == eventDriven ? 50 : 200;
@@ -491,14 +500,11 @@ TEST(turbulentGas, isCarriedAlong)
     const periodicBox box = boxOf("1e-3");
     const std::string entries = "shearRate 500; timeScale 1;";
     const auto eddies = turbulenceOf(entries, box);
-    const dictionary dict = parse("type syntheticTurbulence; " + entries);
 
     const double frequency = 1400;
     const vec u0(1.5, 0, 0.2);
     swingingGas swing(frequency, u0, gasProperties::air());
-    const auto gas =
-        quietly([&]{ return new turbulentGas(swing, dict, box); });
-    const std::unique_ptr<turbulentGas> first(gas);
+    const std::unique_ptr<turbulentGas> first(turbulent(swing, entries, box));
 
     const int steps = 50;
     const double h = 1/(frequency*steps);
@@ -523,7 +529,7 @@ TEST(turbulentGas, isCarriedAlong)
 
         const std::unique_ptr<turbulentGas> second
         (
-            quietly([&]{ return new turbulentGas(swing, dict, box); })
+            turbulent(swing, entries, box)
         );
         second->setWay(first->way());
         EXPECT_EQ(second->way(), first->way());

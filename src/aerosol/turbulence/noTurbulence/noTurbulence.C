@@ -25,7 +25,7 @@ Foam::aerosol::noTurbulence::noTurbulence
 (
     const dictionary&,
     const domain&,
-    const acoustics::gasProperties&
+    acoustics::soundField&
 )
 {}
 

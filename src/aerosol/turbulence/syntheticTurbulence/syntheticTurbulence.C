@@ -8,6 +8,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "checkedEntry.H"
 #include "dimensionSets.H"
+#include "Switch.H"
 
 #include <Eigen/Dense>
 
@@ -143,6 +144,56 @@ std::uint64_t readSeed(const Foam::dictionary& dict)
     return seed;
 }
 
+
+//- Of the turbulence, or taken from the mean flow
+Foam::scalar readShearRate
+(
+    const Foam::dictionary& dict,
+    Foam::acoustics::soundField& sound
+)
+{
+    using namespace Foam;
+
+    const bool ofMeanFlow = dict.lookupOrDefault<Switch>("meanFlow", false);
+
+    if (dict.found("dissipation") + dict.found("shearRate") + ofMeanFlow != 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Give exactly one of 'dissipation' [m2/s3], 'shearRate' [1/s]"
+            << " and 'meanFlow yes' in " << dict.name() << exit(FatalIOError);
+    }
+
+    if (dict.found("dissipation"))
+    {
+        return std::sqrt
+        (
+            readPositive(dict, "dissipation", sqr(dimVelocity)/dimTime)
+           /sound.gas().nu()
+        );
+    }
+
+    if (dict.found("shearRate"))
+    {
+        return readPositive(dict, "shearRate", dimless/dimTime);
+    }
+
+    const scalar gradient = sound.flattenMeanFlow();
+
+    if (gradient <= 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'meanFlow' of " << dict.name() << " is yes, but the mean"
+            << " flow of the sound "
+            << (gradient < 0 ? "is not known" : "has no gradient") << " in the"
+            << " domain. It is the field UMean of the sound 'replay' in"
+            << " constant/acousticProperties: let it replay a chamber with"
+            << " streaming there, or give 'shearRate'"
+            << exit(FatalIOError);
+    }
+
+    return gradient;
+}
+
 } // End anonymous namespace
 
 
@@ -152,7 +203,7 @@ Foam::aerosol::syntheticTurbulence::syntheticTurbulence
 (
     const dictionary& dict,
     const domain& region,
-    const acoustics::gasProperties& gas
+    acoustics::soundField& sound
 )
 :
     random_(readSeed(dict)),
@@ -164,24 +215,13 @@ Foam::aerosol::syntheticTurbulence::syntheticTurbulence
     requireOnly
     (
         dict,
-        {"type", "dissipation", "shearRate", "wavelength", "timeScale", "seed"}
+        {"type", "dissipation", "shearRate", "meanFlow", "wavelength",
+         "timeScale", "seed"}
     );
 
-    if (dict.found("dissipation") == dict.found("shearRate"))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Give exactly one of 'dissipation' [m2/s3] and 'shearRate'"
-            << " [1/s] in " << dict.name() << exit(FatalIOError);
-    }
+    const scalar nu = sound.gas().nu();
 
-    shearRate_ =
-        dict.found("shearRate")
-      ? readPositive(dict, "shearRate", dimless/dimTime)
-      : sqrt
-        (
-            readPositive(dict, "dissipation", sqr(dimVelocity)/dimTime)
-           /gas.nu()
-        );
+    shearRate_ = readShearRate(dict, sound);
 
     interval_ =
         readPositive(dict, "timeScale", dimTime, 2.3/shearRate_)
@@ -235,8 +275,8 @@ Foam::aerosol::syntheticTurbulence::syntheticTurbulence
     speed_ = std::sqrt(square/3);
 
     std::ostringstream os;
-    os  << "Turbulence: dissipation " << gas.nu()*shearRate_*shearRate_
-        << " m2/s3, Kolmogorov length " << std::sqrt(gas.nu()/shearRate_)
+    os  << "Turbulence: dissipation " << nu*shearRate_*shearRate_
+        << " m2/s3, Kolmogorov length " << std::sqrt(nu/shearRate_)
         << " m, rms gradient " << shearRate_ << " 1/s\n    as waves of "
         << 1/perLength_(0) << ", " << 1/perLength_(1) << ", "
         << 1/perLength_(2) << " m along the axes, time scale " << timeScale()

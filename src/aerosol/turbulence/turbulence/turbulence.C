@@ -26,12 +26,12 @@ Foam::autoPtr<Foam::aerosol::turbulence> Foam::aerosol::turbulence::New
 (
     const dictionary& dict,
     const domain& region,
-    const acoustics::gasProperties& gas
+    acoustics::soundField& sound
 )
 {
     if (dict.empty())
     {
-        return autoPtr<turbulence>(new noTurbulence(dict, region, gas));
+        return autoPtr<turbulence>(new noTurbulence(dict, region, sound));
     }
 
     return selectModel<turbulence>
@@ -41,7 +41,7 @@ Foam::autoPtr<Foam::aerosol::turbulence> Foam::aerosol::turbulence::New
         dictionaryConstructorTablePtr_,
         dict,
         region,
-        gas
+        sound
     );
 }
 

@@ -15,7 +15,8 @@ Foam::aerosol::turbulentGas::turbulentGas
 )
 :
     localSound(sound),
-    turbulence_(turbulence::New(dict, region, sound.gas())),
+    dict_(dict),
+    domain_(region),
     period_(region.period()),
     begin_(0),
     step_(0),
@@ -62,6 +63,16 @@ Eigen::Vector3d Foam::aerosol::turbulentGas::wayAt(const scalar t) const
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::aerosol::turbulentGas::prepare(const boundBox& region)
+{
+    const label number = localSound::prepare(region);
+
+    turbulence_ = turbulence::New(dict_, domain_, *this);
+
+    return number;
+}
+
 
 void Foam::aerosol::turbulentGas::follow(const scalar t, const scalar h)
 {
