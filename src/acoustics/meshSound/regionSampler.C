@@ -207,7 +207,7 @@ void Foam::acoustics::regionSampler::makeLattice
     const Eigen::Array3d spacing = span/n;
 
     // Also if a direction has but one cell, or hardly an extent
-    nodesPerCell_ = (cell.min(span)/spacing).round().max(1.0).cast<int>();
+    intervalsPerCell_ = (cell.min(span)/spacing).round().max(1.0).cast<int>();
 
     // The part that this rank needs
     velocityLattice::index3 first;

@@ -116,7 +116,8 @@ Foam::aerosol::aerosolCloud::aerosolCloud
     {
         WarningInFunction
             << "Nothing sticks, by 'contact' or 'aggregate': there will be no"
-            << " new aggregates for 'breakage' to break" << endl;
+            << " new aggregates for 'breakage' to break, and no impacts that"
+            << " break any" << endl;
     }
 
     contacts_.breakBy(breakages_.model());

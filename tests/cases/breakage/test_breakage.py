@@ -106,3 +106,56 @@ def test_keeps_account(tmp_path, meshed, law):
     assert len(broken) > 5
     assert np.ptp(table["mass"]) < 1e-13*table["mass"][0]
     assert (last["d"]**3).sum() == pytest.approx(volume, rel=1e-13)
+
+
+@pytest.mark.parametrize("stepping", [
+    "type conventional; kc 0.1;", "type multipleTimeStep; kc 0.1; kp 0.02;",
+    "type eventDriven;",
+])
+def test_breaks_though_it_moves_on(tmp_path, meshed, stepping):
+    """Who is hit hard on one rank, and merges softly on another one in a later
+    part of the same step, breaks at the end of that step."""
+    found = []
+    for ranks in (1, 2):
+        case = AerosolCase(tmp_path/str(ranks), meshed)
+        case.exact_times(STEP, 2)
+        case.control("endTime", repr(2*STEP))
+        case.entry("constant/acousticProperties", "SPL", 40)
+        case.model("timeStepping", stepping)
+        case.model(
+            "domain", "type periodicBox; centre (0.0613 0 0);"
+            " length (5e-4 6e-4 4e-4);"
+        )
+        case.model("particles", """density 2400; source list; particles
+            (
+                { position (0.0613 -4e-6 0); diameter 4e-6; primaries 100;
+                  velocity (0 3 0); }
+                { position (0.0613 3e-6 0); diameter 5e-6; primaries 100;
+                  velocity (0 0 0); }
+                { position (0.0613 11.35e-6 0); diameter 8e-6; primaries 20000;
+                  velocity (0 0 0); }
+            );""")
+        case.model("drag", "type Stokes; slipCorrection none;")
+        case.model("gravity", "type none;")
+        case.model("wake", "type none;")
+        case.write(
+            "constant/aerosolProperties",
+            (case.path/"constant"/"aerosolProperties").read_text()
+            + "breakage { type impact; bond { type JKR; workOfAdhesion 0.05;"
+            " YoungsModulus 70e9; } }\n"
+            + "report { contacts yes; breakages yes; }\n",
+        )
+        if ranks == 1:
+            case.run("acousticDEMFoam")
+        else:
+            case.run_on(ranks)
+        found.append((rows(case, "contacts"), rows(case, "breakages"),
+                      case.cloud(case.times()[-1])))
+
+    one, two = found
+    assert len(one[0]) == 2 and len(one[1]) == 1
+    assert {float(row[0]) <= STEP for row in one[0]} == {True}
+    assert float(one[1][0][0]) == pytest.approx(STEP)
+    assert two[:2] == one[:2]
+    for name, values in one[2].items():
+        assert np.array_equal(values, two[2][name]), name

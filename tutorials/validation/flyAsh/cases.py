@@ -72,15 +72,8 @@ MODELS = {
     "turbulence10SoftImpacts": {
         "turbulence": EDDIES.format(10), "breakage": SOFT_IMPACTS
     },
-    "turbulence10BounceImpacts": {
-        "turbulence": EDDIES.format(10), "contact": BOUNCE, "breakage": IMPACTS
-    },
     "turbulence10SoftBounce": {
         "turbulence": EDDIES.format(10), "contact": SOFT
-    },
-    "turbulence10SoftBounceImpacts": {
-        "turbulence": EDDIES.format(10), "contact": SOFT,
-        "breakage": SOFT_IMPACTS
     },
 }
 

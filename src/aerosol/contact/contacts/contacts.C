@@ -38,6 +38,23 @@ Foam::aerosol::contacts::contacts(const dictionary& dict)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::aerosol::contacts::setImpact
+(
+    const std::int64_t id,
+    const breakage::impact& hit
+)
+{
+    if (hit.energy > 0)
+    {
+        impacts_[id] = hit;
+    }
+    else
+    {
+        impacts_.erase(id);
+    }
+}
+
+
 void Foam::aerosol::contacts::remember
 (
     const std::int64_t survivor,
@@ -51,19 +68,36 @@ void Foam::aerosol::contacts::remember
     {
         const auto before = impacts_.find(id);
 
-        if (before != impacts_.end())
+        if
+        (
+            before != impacts_.end()
+         && before->second.energy > hardest.energy
+        )
         {
-            if (before->second.energy > hardest.energy)
-            {
-                hardest = before->second;
-            }
-            impacts_.erase(before);
+            hardest = before->second;
         }
     }
 
-    if (hardest.energy > 0)
+    if (hardest.energy <= 0)
     {
-        impacts_[survivor] = hardest;
+        return;
+    }
+
+    setImpact(survivor, hardest);
+    setImpact(absorbed, breakage::impact());
+
+    for
+    (
+        const double value :
+        {
+            double(survivor), hardest.energy, hardest.mass,
+            hardest.direction.x(), hardest.direction.y(),
+            hardest.direction.z(),
+            double(absorbed), 0.0, 0.0, 0.0, 0.0, 0.0
+        }
+    )
+    {
+        newImpacts_.push_back(value);
     }
 }
 
@@ -111,11 +145,7 @@ int Foam::aerosol::contacts::meet
 {
     ++count_;
 
-    const breakage::impact hit =
-        breakage_ ? breakage_->hit(p, pair) : breakage::impact();
-
-    const bool merges =
-        aggregate_->merges() && (hit.energy > 0 || outcome_->sticks(p, pair));
+    const bool merges = aggregate_->merges() && outcome_->sticks(p, pair);
 
     if (!merges && outcome_->bounces())
     {
@@ -160,7 +190,7 @@ int Foam::aerosol::contacts::meet
 
     if (breakage_)
     {
-        remember(p.id(pair.i), p.id(pair.j), hit);
+        remember(p.id(pair.i), p.id(pair.j), breakage_->hit(p, pair));
     }
 
     keep(p, pair, true);
@@ -271,49 +301,7 @@ std::map<std::int64_t, Foam::aerosol::breakage::impact>
 Foam::aerosol::contacts::takeImpacts()
 {
     std::map<std::int64_t, breakage::impact> taken;
-
-    if (!breakage_)
-    {
-        return taken;
-    }
-
-    constexpr int length = 6;
-
-    std::vector<double> mine;
-
-    for (const auto& one : impacts_)
-    {
-        const breakage::impact& hit = one.second;
-
-        for
-        (
-            const double value :
-            {
-                double(one.first), hit.energy, hit.mass, hit.direction.x(),
-                hit.direction.y(), hit.direction.z()
-            }
-        )
-        {
-            mine.push_back(value);
-        }
-    }
-    impacts_.clear();
-
-    for
-    (
-        const std::vector<double>& part :
-        bricks::exchange(messages(bricks::nRanks(), mine))
-    )
-    {
-        for (std::size_t k = 0; k < part.size(); k += length)
-        {
-            taken[std::int64_t(part[k])] =
-            {
-                part[k + 1], part[k + 2],
-                Eigen::Vector3d(part[k + 3], part[k + 4], part[k + 5])
-            };
-        }
-    }
+    taken.swap(impacts_);
 
     return taken;
 }
@@ -321,25 +309,42 @@ Foam::aerosol::contacts::takeImpacts()
 
 void Foam::aerosol::contacts::share()
 {
-    if (bricks::max(newlyRefused_.size()) == 0)
+    if (bricks::max(newlyRefused_.size() + newImpacts_.size()) == 0)
     {
         return;
     }
 
-    std::vector<double> mine;
-    mine.swap(newlyRefused_);
+    const auto ofAll = [](std::vector<double>& mine)
+    {
+        messages all = bricks::exchange(messages(bricks::nRanks(), mine));
+        mine.clear();
 
-    for
-    (
-        const std::vector<double>& part :
-        bricks::exchange(messages(bricks::nRanks(), mine))
-    )
+        return all;
+    };
+
+    for (const std::vector<double>& part : ofAll(newlyRefused_))
     {
         for (std::size_t k = 0; k < part.size(); k += 2)
         {
             refused_.insert
             (
                 std::minmax(std::int64_t(part[k]), std::int64_t(part[k + 1]))
+            );
+        }
+    }
+
+    // Nobody was in more than one group since the last time
+    for (const std::vector<double>& part : ofAll(newImpacts_))
+    {
+        for (std::size_t k = 0; k < part.size(); k += 6)
+        {
+            setImpact
+            (
+                std::int64_t(part[k]),
+                {
+                    part[k + 1], part[k + 2],
+                    Eigen::Vector3d(part[k + 3], part[k + 4], part[k + 5])
+                }
             );
         }
     }

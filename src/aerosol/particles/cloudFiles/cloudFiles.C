@@ -431,8 +431,10 @@ void Foam::aerosol::cloudFiles::write
         )
         {
             FatalErrorInFunction
-                << "Particle " << p.id(i) << " of "
-                << p.primaries(i) << " primaries cannot be written:"
+                << "Particle " << std::to_string(p.id(i)).c_str()
+                << " of "
+                << std::to_string(p.primaries(i)).c_str()
+                << " primaries cannot be written:"
                 << " with the labels of this OpenFOAM, both numbers must be"
                 << " within 0 and " << labelMax
                 << exit(FatalError);

@@ -226,7 +226,6 @@ bool Foam::aerosol::breakages::apply
             where.gradient = gradient[k];
         }
 
-
         const auto hit = impacts.find(p.id(i));
         if (hit != impacts.end())
         {

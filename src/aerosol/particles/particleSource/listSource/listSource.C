@@ -41,7 +41,8 @@ void Foam::aerosol::listSource::addPrimaries
     {
         FatalIOErrorInFunction(dict_)
             << "The 'primaries' in " << where_[i].c_str() << " are "
-            << primaries << ", but they must be a whole number from 1 on"
+            << primaries << ", but they must be a whole number from 1 to "
+            << labelMax
             << exit(FatalIOError);
     }
 
