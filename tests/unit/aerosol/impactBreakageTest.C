@@ -112,6 +112,23 @@ vec momentum(const particleArrays& p)
     return p.v*p.m.matrix();
 }
 
+
+//- The first one runs into the second one, which rests
+contactOutcome::encounter headOn(const double speed)
+{
+    contactOutcome::encounter pair{};
+
+    pair.i = 0;
+    pair.j = 1;
+    pair.xi = vec::Zero();
+    pair.xj = vec(1e-6, 0, 0);
+    pair.shift = vec::Zero();
+    pair.vi = vec(speed, 0, 0);
+    pair.vj = vec::Zero();
+
+    return pair;
+}
+
 } // End anonymous namespace
 
 
@@ -370,17 +387,8 @@ TEST(impactBreakage, beginsAtItsEnergyAndGivesWhatIsLeft)
 TEST(impactBreakage, breaksNobodyWhoBounces)
 {
     particleArrays p =
-        clusters({10, 10}, 1e-6, {vec::Zero(), vec(3e-6, 0, 0)});
-
-    contactOutcome::encounter pair;
-    pair.i = 0;
-    pair.j = 1;
-    pair.xi = p.x.col(0);
-    pair.xj = p.x.col(1);
-    pair.shift = vec::Zero();
-    pair.vi = vec(20, 0, 0);
-    pair.vj = vec::Zero();
-    pair.time = 0;
+        clusters({10, 10}, 1e-6, {vec::Zero(), vec(1e-6, 0, 0)});
+    const contactOutcome::encounter pair = headOn(20);
 
     const breakages all(parse("type impact; bond " + glass));
 
@@ -429,25 +437,11 @@ TEST(impactBreakage, needsSpeed)
         const particleArrays p =
             clusters({N.first, N.second}, 1e-6, {vec::Zero(), vec::Zero()});
 
-        contactOutcome::encounter pair{};
-        pair.i = 0;
-        pair.j = 1;
-        pair.xi = vec::Zero();
-        pair.xj = vec(1e-6, 0, 0);
-        pair.shift = vec::Zero();
-        pair.vj = vec::Zero();
-
-        const auto left = [&](const double speed)
-        {
-            pair.vi = vec(speed, 0, 0);
-            return law.hit(p, pair).energy;
-        };
-
         const double speed = rootOf
         (
             [&](double v)
             {
-                return left(v) - 1e-30;
+                return law.hit(p, headOn(v)).energy - 1e-30;
             },
             0, 100
         );
@@ -470,25 +464,15 @@ TEST(impactBreakage, breaksNoTwoSinglePrimaries)
     particleArrays p =
         clusters({1, 1}, 1e-6, {vec::Zero(), vec(1e-6, 0, 0)});
 
-    contactOutcome::encounter pair{};
-    pair.i = 0;
-    pair.j = 1;
-    pair.xi = vec::Zero();
-    pair.xj = vec(1e-6, 0, 0);
-    pair.shift = vec::Zero();
-    pair.vi = vec(10, 0, 0);
-    pair.vj = vec::Zero();
-
     const impactBreakage law(parse("type impact; bond " + glass));
 
-    EXPECT_EQ(law.hit(p, pair).energy, 0);
+    EXPECT_EQ(law.hit(p, headOn(10)).energy, 0);
 
     p.primaries(1) = 2;
-    EXPECT_GT(law.hit(p, pair).energy, 0);
+    EXPECT_GT(law.hit(p, headOn(10)).energy, 0);
 
     // Who separates hits nobody
-    pair.vi = -pair.vi;
-    EXPECT_EQ(law.hit(p, pair).energy, 0);
+    EXPECT_EQ(law.hit(p, headOn(-10)).energy, 0);
 }
 
 

@@ -27,8 +27,6 @@ BOUNCE = "type criticalVelocity; workOfAdhesion 0.05; YoungsModulus 70e9;"
 SOFT = "type criticalVelocity; workOfAdhesion 0.1; YoungsModulus 5e9;"
 IMPACTS = ("type impact; bond { type JKR; workOfAdhesion 0.05;"
            " YoungsModulus 70e9; }")
-SOFT_IMPACTS = ("type impact; bond { type JKR; workOfAdhesion 0.1;"
-                " YoungsModulus 5e9; }")
 DRAG = "type drag; bond { type JKR; workOfAdhesion 0.05; }"
 EDDIES = "type syntheticTurbulence; dissipation {};"
 MODELS = {
@@ -68,9 +66,6 @@ MODELS = {
     "memoryImpacts": {"wake": "type memory;", "breakage": IMPACTS},
     "turbulence10Impacts": {
         "turbulence": EDDIES.format(10), "breakage": IMPACTS
-    },
-    "turbulence10SoftImpacts": {
-        "turbulence": EDDIES.format(10), "breakage": SOFT_IMPACTS
     },
     "turbulence10SoftBounce": {
         "turbulence": EDDIES.format(10), "contact": SOFT

@@ -178,9 +178,14 @@ bool Foam::aerosol::breakages::apply
 
     std::vector<int> aggregates;
 
+    const auto concerns = [&](const int i)
+    {
+        return !model_->needsImpacts() || impacts.count(p.id(i));
+    };
+
     for (int i = 0; i < p.size(); ++i)
     {
-        if (p.primaries(i) > 1)
+        if (p.primaries(i) > 1 && concerns(i))
         {
             aggregates.push_back(i);
         }

@@ -92,18 +92,6 @@ Foam::aerosol::breakage::impact Foam::aerosol::impactBreakage::hit
 }
 
 
-bool Foam::aerosol::impactBreakage::mayBreak
-(
-    const particleArrays&,
-    const int,
-    const surroundings& where,
-    const acoustics::gasProperties&
-) const
-{
-    return where.hit.energy > 0;
-}
-
-
 bool Foam::aerosol::impactBreakage::breaks
 (
     const particleArrays&,
