@@ -31,7 +31,9 @@ std::string settings(const std::string& wake)
 {
     return
         "type " + wake + "; range 20;"
-      + (wake == "memory" ? " frequency 1400;" : "");
+      + (
+            wake == "memory" || wake == "history" ? " frequency 1400;" : ""
+        );
 }
 
 
@@ -258,10 +260,13 @@ BENCHMARK_CAPTURE
 );
 BENCHMARK_CAPTURE(wakes, memory/1000/all, "memory", 1000, 1e6);
 BENCHMARK_CAPTURE(wakes, memory/10000/50, "memory", 10000, 50);
+BENCHMARK_CAPTURE(wakes, history/1000/all, "history", 1000, 1e6);
+BENCHMARK_CAPTURE(wakes, history/10000/50, "history", 10000, 50);
 
 BENCHMARK_CAPTURE(block, Oseen, "Oseen");
 BENCHMARK_CAPTURE(block, ProudmanPearson, "ProudmanPearson");
 BENCHMARK_CAPTURE(block, memory, "memory");
+BENCHMARK_CAPTURE(block, history, "history");
 
 BENCHMARK_CAPTURE(move, Stokes/10000, "Stokes", 10000);
 BENCHMARK_CAPTURE(move, SchillerNaumann/10000, "SchillerNaumann", 10000);

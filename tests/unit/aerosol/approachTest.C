@@ -45,7 +45,8 @@ double steppedPair
     const double distance,
     const int stepsPerPeriod,
     const std::string& stepping,
-    const std::string& wake = "type Oseen; range 60;"
+    const std::string& wake = "type Oseen; range 60;",
+    const double speed = pairSpeed
 )
 {
     const vec v
@@ -54,7 +55,7 @@ double steppedPair
         (
             2*pi*frequency,
             relaxationTime(pairDiameter, pairDensity),
-            pairSpeed
+            speed
         ),
         0,
         0
@@ -74,7 +75,7 @@ double steppedPair
         0.01,
         s,
         frequency,
-        {pairSpeed, 0, 0}
+        {speed, 0, 0}
     );
 
     return contactTime(pair, 1/frequency/stepsPerPeriod, 0.05);
@@ -193,7 +194,8 @@ double pairWithHistory
     const double frequency,
     const double distance,
     const int stepsPerPeriod,
-    const bool ofDrag
+    const bool ofDrag,
+    const double gasSpeed = pairSpeed
 )
 {
     using complex = std::complex<double>;
@@ -208,12 +210,12 @@ double pairWithHistory
     const complex slow = 1.0/complex(1, omega*tau) - 1.0;
     const auto speed = [&](const double t)
     {
-        return pairSpeed*(slow*std::polar(1.0, omega*t)).imag();
+        return gasSpeed*(slow*std::polar(1.0, omega*t)).imag();
     };
     const auto place = [&](const double t)
     {
         return
-            pairSpeed
+            gasSpeed
            *(slow/complex(0, omega)*std::polar(1.0, omega*t)).imag();
     };
 
@@ -454,6 +456,49 @@ TEST(memoryWake, bringsAPairTogetherInTheTimeOfTheHistoryIntegral)
             }
         }
         measured("\n");
+    }
+}
+
+
+TEST(historyWake, bringsAPairTogetherInTheTimeOfTheHistoryIntegral)
+{
+    const double frequency = 1000;
+
+    measured
+    (
+        "  m/s   um   integral of slip    of drag [ms]   history over them"
+        "   memory\n"
+    );
+
+    for (const double speed : {0.44, 1.0, 1.5})
+    {
+        for (const double distance : {100e-6, 200e-6})
+        {
+            const double ofSlip =
+                pairWithHistory(frequency, distance, 100, false, speed);
+            const double ofDrag =
+                pairWithHistory(frequency, distance, 100, true, speed);
+
+            const auto time = [&](const std::string& type)
+            {
+                return steppedPair
+                (
+                    frequency, distance, 100, eventDriven,
+                    "type " + type + "; range 60; frequency 1000;", speed
+                );
+            };
+            const double found = time("history");
+
+            measured
+            (
+                "%5.2f%5.0f%16.2f%15.2f%13.3f%10.3f%10.3f\n",
+                speed, 1e6*distance, 1e3*ofSlip, 1e3*ofDrag,
+                found/ofSlip, found/ofDrag, time("memory")/ofSlip
+            );
+
+            // The gas is moved by the drag
+            EXPECT_NEAR(found/ofDrag, 1, 0.02) << speed << ' ' << distance;
+        }
     }
 }
 

@@ -3,9 +3,8 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "timeSteppingTools.H"
+#include "swingingWake.H"
 #include "error.H"
-#include "historyIntegral.H"
 #include "measured.H"
 
 #include <gtest/gtest.h>
@@ -22,105 +21,6 @@ using namespace Foam::aerosol::testTools;
 namespace
 {
 
-using complex = std::complex<double>;
-using complexVec = Eigen::Vector3cd;
-
-const double frequency = 1000;
-const double omega = 2*pi*frequency;
-const double radius = 4e-6;
-const double nu = gasProperties::air().nu();
-const double delta = std::sqrt(2*nu/omega);
-
-
-autoPtr<wake> model(const std::string& text, const double omegaOfSound = 0)
-{
-    const dictionary dict(parse("type memory; " + text));
-    autoPtr<wake> made = wake::New(dict);
-    made->setSound(dict, omegaOfSound, gasProperties::air());
-
-    return made;
-}
-
-
-//- By the code: the wake of a slip with the phasor U exp(i phase)
-vec disturbance
-(
-    const wake& with,
-    const vec& r,
-    const complexVec& U,
-    const double phase = 0,
-    const double a = radius
-)
-{
-    const complexVec now = U*std::polar(1.0, phase);
-    wake::block block;
-
-    for (int k = 0; k < 3; ++k)
-    {
-        block.r[k].setOnes();
-        block.r[k](5) = r(k);
-        block.slip[k].setZero();
-        block.slip[k](5) = now(k).real();
-        block.quadrature[k].setZero();
-        block.quadrature[k](5) = now(k).imag();
-    }
-    block.radius.setOnes();
-    block.radius(5) = a;
-
-    with.evaluate(block, gasProperties::air());
-
-    return vec
-    (
-        block.velocity[0](5), block.velocity[1](5), block.velocity[2](5)
-    );
-}
-
-
-vec dipole(const vec& r, const vec& U)
-{
-    const vec n = r.normalized();
-
-    return -std::pow(radius/r.norm(), 3)/4*(U - 3*n.dot(U)*n);
-}
-
-
-//- Mean and first harmonic, Re(first exp(i phase)), of w(phase)
-template<class Wake>
-std::pair<vec, complexVec> analyse(const Wake& w)
-{
-    constexpr int n = 16;
-    vec mean = vec::Zero();
-    complexVec first = complexVec::Zero();
-
-    for (int k = 0; k < n; ++k)
-    {
-        const double phase = 2*pi*k/n;
-        const vec now = w(phase);
-
-        mean += now/n;
-        first += now.cast<complex>()*std::polar(2.0/n, -phase);
-    }
-
-    return {mean, first};
-}
-
-
-//- Of the integral, for a slip U of any amplitude
-std::pair<vec, complexVec> integrated(const vec& r, const complexVec& U)
-{
-    return analyse
-    (
-        [&](const double phase)
-        {
-            return oscillatingHistory
-            (
-                r, complexVec(-U/complex(0, omega)), phase, omega, radius, nu
-            );
-        }
-    );
-}
-
-
 double meanFactor(const double x)
 {
     const complex l = complex(1, 1)*x;
@@ -130,15 +30,6 @@ double meanFactor(const double x)
     return -2*B.imag()/(x*x);
 }
 
-
-complexVec random(randomNumbers& from, const double size)
-{
-    const vec re = from.point(1);
-    const vec im = from.point(1);
-    complexVec U = re.cast<complex>() + complex(0, 1)*im.cast<complex>();
-
-    return U*(size/U.norm());
-}
 
 } // End anonymous namespace
 
@@ -152,7 +43,7 @@ TEST(historyIntegral, isTheOscillatoryStokesletOfASmallAmplitude)
     for (const double x : {0.1, 0.5, 1.0, 2.0, 4.0})
     {
         const vec r = from.point(1).normalized()*x*delta;
-        const complexVec U = random(from, 1e-4*x*omega*delta);
+        const complexVec U = randomSlip(from, 1e-4*x*omega*delta);
 
         // Pozrikidis, Boundary Integral and Singularity Methods, 1992, 2.6
         const complex l = complex(1, 1)*x;
@@ -257,14 +148,15 @@ TEST(historyIntegral, isOseensWakeOfASteadySlip)
 
 TEST(memoryWake, isTheHistoryIntegralOfASmallAmplitude)
 {
-    const auto code = model("frequency 1000; range 20;");
+    const auto code = swingingWake("memory", "frequency 1000; range 20;");
     randomNumbers from(7);
 
     for (const double x : {0.08, 0.2, 0.29, 0.31, 0.6, 1.0, 1.7, 3.0})
     {
         // Also one that goes round in an ellipse
         const vec r = from.point(1).normalized()*x*delta;
-        const complexVec U = random(from, 0.01*std::min(x, 1.0)*omega*delta);
+        const complexVec U =
+            randomSlip(from, 0.01*std::min(x, 1.0)*omega*delta);
 
         const auto exact = integrated(r, U);
         const auto found = analyse
@@ -287,7 +179,7 @@ TEST(memoryWake, isTheHistoryIntegralOfASmallAmplitude)
 
 TEST(memoryWake, isStokesFlowAndOseensMeanNextToTheParticle)
 {
-    const auto code = model("frequency 1000; range 20;");
+    const auto code = swingingWake("memory", "frequency 1000; range 20;");
     const auto quasiSteady = wake::New(parse("type Oseen; range 20;"));
     const vec r(0.6e-6, 0.8e-6, 0.3e-6);
     const complexVec U(complex(1e-3, 2e-3), complex(0, 1e-3), 2e-3);
@@ -326,7 +218,7 @@ TEST(memoryWake, isStokesFlowAndOseensMeanNextToTheParticle)
 
 TEST(memoryWake, isOffByTheSquareOfTheAmplitude)
 {
-    const auto code = model("frequency 1000; range 20;");
+    const auto code = swingingWake("memory", "frequency 1000; range 20;");
 
     measured("drift on the axis over that of the integral\n");
     measured
@@ -369,8 +261,9 @@ TEST(memoryWake, isBelowTheToleranceOutOfRange)
 
     for (const double tolerance : {1e-4, 1e-3, 1e-2})
     {
-        const auto code = model
+        const auto code = swingingWake
         (
+            "memory",
             "frequency 1000; tolerance " + std::to_string(tolerance) + ';'
         );
 
@@ -405,7 +298,7 @@ TEST(memoryWake, isBelowTheToleranceOutOfRange)
 
 TEST(memoryWake, endsAfterFourLayersByDefault)
 {
-    auto code = model("", omega);
+    auto code = swingingWake("memory", "", omega);
     code->setTolerance(1e-9);
 
     EXPECT_EQ(code->omega(), omega);
@@ -421,8 +314,13 @@ TEST(memoryWake, endsAfterFourLayersByDefault)
 
 TEST(memoryWake, refusesASoundWithoutFrequency)
 {
-    EXPECT_THROW(model("range 20;"), Foam::IOerror);
-    EXPECT_THROW(model("frequency -1; range 20;"), Foam::IOerror);
+    for (const std::string& entries : strings{"", "frequency -1; "})
+    {
+        EXPECT_THROW
+        (
+            swingingWake("memory", entries + "range 20;"), Foam::IOerror
+        );
+    }
 }
 
 

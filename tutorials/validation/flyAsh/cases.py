@@ -37,6 +37,7 @@ MODELS = {
     "OseenNoGravity": {"wake": "type Oseen;", "gravity": "type none;"},
     "ProudmanPearson": {"wake": "type ProudmanPearson;"},
     "memory": {"wake": "type memory;"},
+    "history": {"wake": "type history;"},
     # What is below 0.05 m/s is left out: shows how much that matters
     "memoryNear": {"wake": "type memory; tolerance 0.05;"},
     "OseenBrownian": {
@@ -45,12 +46,18 @@ MODELS = {
     "memoryBrownian": {
         "wake": "type memory;", "Brownian": "type OrnsteinUhlenbeck;"
     },
+    "historyBrownian": {
+        "wake": "type history;", "Brownian": "type OrnsteinUhlenbeck;"
+    },
     # Eddies below the size of the box, by what they dissipate, m2/s3
     "turbulence1": {"turbulence": EDDIES.format(1)},
     "turbulence10": {"turbulence": EDDIES.format(10)},
     "turbulence100": {"turbulence": EDDIES.format(100)},
     "OseenTurbulence10": {
         "wake": "type Oseen;", "turbulence": EDDIES.format(10)
+    },
+    "historyTurbulence10": {
+        "wake": "type history;", "turbulence": EDDIES.format(10)
     },
     "turbulence10Bounce": {
         "turbulence": EDDIES.format(10), "contact": BOUNCE
@@ -59,11 +66,22 @@ MODELS = {
     "OseenBounce": {"wake": "type Oseen;", "contact": BOUNCE},
     "OseenSoftBounce": {"wake": "type Oseen;", "contact": SOFT},
     "memoryBounce": {"wake": "type memory;", "contact": BOUNCE},
+    "historyBounce": {"wake": "type history;", "contact": BOUNCE},
+    "historySoftBounce": {"wake": "type history;", "contact": SOFT},
     # Aggregates break: by drag, and by impacts
     "noneDragBreakage": {"breakage": DRAG},
     "noneImpacts": {"breakage": IMPACTS},
     "OseenImpacts": {"wake": "type Oseen;", "breakage": IMPACTS},
     "memoryImpacts": {"wake": "type memory;", "breakage": IMPACTS},
+    "historyImpacts": {"wake": "type history;", "breakage": IMPACTS},
+    "historyTurbulence10Impacts": {
+        "wake": "type history;", "turbulence": EDDIES.format(10),
+        "breakage": IMPACTS
+    },
+    "historyTurbulence10SoftBounce": {
+        "wake": "type history;", "turbulence": EDDIES.format(10),
+        "contact": SOFT
+    },
     "turbulence10Impacts": {
         "turbulence": EDDIES.format(10), "breakage": IMPACTS
     },
@@ -93,7 +111,8 @@ def least_count(case):
     swing = smoluchowski.velocity_amplitude(case["SPL"])/omega
     wake = MODELS[case["model"]].get("wake", "")
     layers = 4*np.sqrt(2*nu/omega)
-    reach = layers + 2*swing if "memory" in wake else max(layers, 2*swing)
+    far = "memory" in wake or "history" in wake
+    reach = layers + 2*swing if far else max(layers, 2*swing)
     width = 2.02*reach
     return int(np.ceil(case["concentration"]*case["aspect"]*width**3))
 

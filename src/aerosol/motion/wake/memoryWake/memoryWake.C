@@ -151,6 +151,37 @@ void Foam::aerosol::memoryWake::setSound
 }
 
 
+Foam::scalar Foam::aerosol::memoryWake::reach
+(
+    const scalar a,
+    const scalar U,
+    const double amplitudes
+) const
+{
+    const double delta = layer();
+    const double driftTolerance =
+        tolerance()/(10*constant::mathematical::pi);
+
+    const double Stokes = 1.5*a*U/tolerance();
+    const double dipole = std::cbrt(1.2*Stokes*delta*delta);
+    const double drift = 3.0/16*a*U*U/nu_/driftTolerance;
+
+    return std::max
+    (
+        std::min(Stokes, dipole),
+        drift > 1
+      ? amplitudes*U/omega_ + delta*std::sqrt(std::sqrt(7.7*drift))
+      : 0.0
+    );
+}
+
+
+Foam::scalar Foam::aerosol::memoryWake::end(const scalar U) const
+{
+    return 4*layer() + 2*U/omega_;
+}
+
+
 Foam::aerosol::scalars Foam::aerosol::memoryWake::range
 (
     const scalars& d,
@@ -162,32 +193,17 @@ Foam::aerosol::scalars Foam::aerosol::memoryWake::range
         return OseenWake::range(d, slip);
     }
 
-    const double delta = layer();
-    const double driftTolerance =
-        tolerance()/(10*constant::mathematical::pi);
-
     scalars result(d.size());
 
     for (int i = 0; i < result.size(); ++i)
     {
-        const double a = 0.5*d(i);
+        const double U = finite(slip(i));
 
-        // GREAT without drag
-        const double U = std::min(slip(i), 1e6);
-
-        const double Stokes = 1.5*a*U/tolerance();
-        const double dipole = std::cbrt(1.2*Stokes*delta*delta);
-        const double drift = 3.0/16*a*U*U/nu_/driftTolerance;
-
-        result(i) = std::max
-        (
-            std::min(Stokes, dipole),
-            drift > 1 ? delta*std::sqrt(std::sqrt(7.7*drift)) : 0.0
-        );
+        result(i) = reach(0.5*d(i), U, 0);
 
         if (needsTolerance())
         {
-            result(i) = std::min(result(i), 4*delta + 2*U/omega_);
+            result(i) = std::min(result(i), end(U));
         }
     }
 
