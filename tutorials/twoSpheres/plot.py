@@ -2,8 +2,8 @@
 
 Reads the contacts of each frequency and wake, and prints the times beside those
 that are known: of Oseen's wake from afar (Runge-Kutta for the equations of a
-pair), and of the full history integral that `memory` approximates (approachTest
-in doc/verification.md). Of times below a period, 5 ms at 200 Hz, much depends
+pair), and of the full history integral, of which `memory` has the first terms
+and `history` a sum (approachTest in doc/verification.md). Of times below a period, 5 ms at 200 Hz, much depends
 on the phase of the sound at the start.
 """
 
@@ -16,11 +16,12 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 case = pathlib.Path(__file__).resolve().parent
-WAKES = {"Oseen": "C0", "ProudmanPearson": "C2", "memory": "C3"}
+WAKES = {"Oseen": "C0", "ProudmanPearson": "C2", "memory": "C3",
+         "history": "C1"}
 DISTANCES = [30, 50, 100, 200]  # um, in the order of the ids of the pairs
 KNOWN = {  # ms, at Hz and um
     "Oseen": {(200, 100): 21.5, (1000, 100): 8.94, (1000, 200): 23.2},
-    "memory": {(1000, 100): 11.3, (1000, 200): 44.9},
+    "history": {(1000, 100): 11.3, (1000, 200): 44.9},
 }
 
 

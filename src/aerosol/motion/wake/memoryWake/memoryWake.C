@@ -9,6 +9,7 @@
 #include "mathematicalConstants.H"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -32,17 +33,21 @@ namespace
 //  0.42: what is missing is below 1e-12
 constexpr int nPowers = 12;
 
+//- Single precision is more exact than the expansion, and Eigen has sine and
+//  cosine in vectors of it
+using floats = Eigen::Array<float, Foam::aerosol::wake::blockSize, 1>;
+
 //- Coefficients of the powers of x = r/delta
 struct coefficients
 {
-    double reA[nPowers] = {};
-    double imA[nPowers] = {};
-    double reB[nPowers] = {};
+    float reA[nPowers] = {};
+    float imA[nPowers] = {};
+    float reB[nPowers] = {};
 
     // Over x^2
-    double imB[nPowers] = {};
-    double imD[nPowers] = {};
-    double reD[nPowers] = {};
+    float imB[nPowers] = {};
+    float imD[nPowers] = {};
+    float reD[nPowers] = {};
 };
 
 
@@ -84,13 +89,9 @@ constexpr coefficients series()
 }
 
 
-Foam::aerosol::wake::blockScalars polynomial
-(
-    const double (&c)[nPowers],
-    const Foam::aerosol::wake::blockScalars& x
-)
+floats polynomial(const float (&c)[nPowers], const floats& x)
 {
-    Foam::aerosol::wake::blockScalars sum = x*c[nPowers - 1];
+    floats sum = x*c[nPowers - 1];
 
     for (int n = nPowers - 2; n > 0; --n)
     {
@@ -218,93 +219,102 @@ void Foam::aerosol::memoryWake::evaluate
 ) const
 {
     // Where the series are better than the differences
-    constexpr double small = 0.3;
+    constexpr float small = 0.3f;
 
-    const blockVectors& s = pairs.r;
-    const blockVectors& P = pairs.slip;
-    const blockVectors& Q = pairs.quadrature;
+    std::array<floats, 3> n, P, Q;
 
     const blockScalars perDistance =
-        (s[0].square() + s[1].square() + s[2].square()).rsqrt();
-    const blockScalars n0 = s[0]*perDistance;
-    const blockScalars n1 = s[1]*perDistance;
-    const blockScalars n2 = s[2]*perDistance;
+        (
+            pairs.r[0].square() + pairs.r[1].square() + pairs.r[2].square()
+        ).rsqrt();
+
+    for (int k = 0; k < 3; ++k)
+    {
+        n[k] = (pairs.r[k]*perDistance).cast<float>();
+        P[k] = pairs.slip[k].cast<float>();
+        Q[k] = pairs.quadrature[k].cast<float>();
+    }
 
     // a/r, one within the sphere
-    const blockScalars q = (pairs.radius*perDistance).min(1.0);
-    const blockScalars x = std::sqrt(0.5*omega_/gas.nu())*(pairs.radius/q);
+    const blockScalars ratio = (pairs.radius*perDistance).min(1.0);
+    const floats q = ratio.cast<float>();
+    const floats x =
+        (std::sqrt(0.5*omega_/gas.nu())*(pairs.radius/ratio)).cast<float>();
 
     // E = exp(-lambda); none is left at 40
-    const blockScalars large = x.max(small);
-    const blockScalars phase = large.min(40.0);
-    const blockScalars decay = (-phase).exp();
-    const blockScalars reE = decay*phase.cos();
-    const blockScalars imE = -decay*phase.sin();
+    const floats large = x.max(small);
+    const floats phase = large.min(40.0f);
+    const floats decay = (-phase).exp();
+    const floats reE = decay*phase.cos();
+    const floats imE = -decay*phase.sin();
 
     // 1/lambda = h (1 - i)
-    const blockScalars h = 0.5/large;
-    const blockScalars hh = 2*h.square();
-    const blockScalars perSquare = 2*hh;
+    const floats h = 0.5f/large;
+    const floats hh = 2*h.square();
+    const floats perSquare = 2*hh;
 
     static constexpr coefficients c = series();
-    const blockScalars little = x.min(small);
+    const floats little = x.min(small);
     const auto near = x < small;
 
-    const blockScalars reA = near.select
+    const floats reA = near.select
     (
         polynomial(c.reA, little),
         2*(reE*(1 + h) + imE*(h + hh))
     );
-    const blockScalars imA = near.select
+    const floats imA = near.select
     (
         polynomial(c.imA, little),
         2*(imE*(1 + h) - reE*(h + hh) + hh)
     );
-    const blockScalars reB = near.select
+    const floats reB = near.select
     (
         polynomial(c.reB, little),
         -2*(reE*(1 + 3*h) + 3*imE*(h + hh))
     );
 
     // Over x^2
-    const blockScalars imB = near.select
+    const floats imB = near.select
     (
         polynomial(c.imB, little),
         -2*perSquare*(imE*(1 + 3*h) - 3*reE*(h + hh) + 3*hh)
     );
-    const blockScalars imD = near.select
+    const floats imD = near.select
     (
         polynomial(c.imD, little),
         2*perSquare*(reE*large + imE*(1 + large))
     );
-    const blockScalars reD = near.select
+    const floats reD = near.select
     (
         polynomial(c.reD, little),
         2*perSquare*(reE*(1 + large) - imE*large - 1)
     );
 
-    const blockScalars Pn = P[0]*n0 + P[1]*n1 + P[2]*n2;
-    const blockScalars Qn = Q[0]*n0 + Q[1]*n1 + Q[2]*n2;
-    const blockScalars square =
+    const floats Pn = P[0]*n[0] + P[1]*n[1] + P[2]*n[2];
+    const floats Qn = Q[0]*n[0] + Q[1]*n[1] + Q[2]*n[2];
+    const floats square =
         P[0].square() + P[1].square() + P[2].square();
 
-    const blockScalars Stokeslet = -0.75*q;
-    const blockScalars dipole = -0.25*q.cube();
-    const blockScalars drift = (-3.0/16/gas.nu())*pairs.radius;
-    const blockScalars across = 2*drift*(2*imB - imD);
-    const blockScalars turn = drift*reD;
+    const floats Stokeslet = -0.75f*q;
+    const floats dipole = -0.25f*q.cube();
+    const floats drift =
+        ((-3.0/16/gas.nu())*pairs.radius).cast<float>();
+    const floats across = 2*drift*(2*imB - imD);
+    const floats turn = drift*reD;
 
-    const blockScalars alongP =
+    const floats alongP =
         Stokeslet*reA + dipole + across*Pn + turn*Qn;
-    const blockScalars alongQ = -Stokeslet*imA - turn*Pn;
-    const blockScalars outward =
+    const floats alongQ = -Stokeslet*imA - turn*Pn;
+    const floats outward =
         Stokeslet*(reB*Pn - x.square()*imB*Qn)
       - 3*dipole*Pn
       + 2*drift*((imD - 5*imB)*Pn.square() + imB*square);
 
-    pairs.velocity[0] = alongP*P[0] + alongQ*Q[0] + outward*n0;
-    pairs.velocity[1] = alongP*P[1] + alongQ*Q[1] + outward*n1;
-    pairs.velocity[2] = alongP*P[2] + alongQ*Q[2] + outward*n2;
+    for (int k = 0; k < 3; ++k)
+    {
+        pairs.velocity[k] =
+            (alongP*P[k] + alongQ*Q[k] + outward*n[k]).cast<double>();
+    }
 }
 
 
