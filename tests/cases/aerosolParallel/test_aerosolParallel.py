@@ -14,6 +14,11 @@ STEPPINGS = {
     "eventDriven": "type eventDriven;",
     "eventDriven Brownian": "type eventDriven;",
     "eventDriven memory turbulence": "type eventDriven;",
+    "eventDriven history": "type eventDriven;",
+}
+WAKES = {
+    "memory": "type memory; range 20;",
+    "history": "type history; tolerance 1;",
 }
 
 
@@ -47,8 +52,8 @@ def fixture_stepping(request, tmp_path_factory, meshed):
     def make(name):
         case = AerosolCase(tmp_path_factory.mktemp(name)/"case", meshed)
         case.model("timeStepping", STEPPINGS[request.param])
-        wake = "memory" if "memory" in request.param else "Oseen"
-        case.model("wake", f"type {wake}; range 20;")
+        words = set(request.param.split()) & set(WAKES)
+        case.model("wake", WAKES.get("".join(words), "type Oseen; range 20;"))
         case.model("drag", "type SchillerNaumann; slipCorrection Cunningham;")
         case.write(
             "constant/aerosolProperties",
@@ -63,6 +68,10 @@ def fixture_stepping(request, tmp_path_factory, meshed):
             )
         case.aerosol("length", "(0.38e-3 0.36e-3 0.34e-3)")
         case.aerosol("numberConcentration", "3e13")
+        if "history" in request.param:
+            # Where not all that is in range is near the path
+            case.aerosol("length", "(0.72e-3 0.7e-3 0.68e-3)")
+            case.aerosol("numberConcentration", "6e12")
         if "turbulence" in request.param:
             case.control("stepsPerPeriod", "50")
             case.write(
