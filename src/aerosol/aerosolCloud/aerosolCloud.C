@@ -464,14 +464,15 @@ std::string Foam::aerosol::aerosolCloud::rangesOfWakes() const
         << 1e6*range(n/2) << " um (median), " << 1e6*range(n - 1)
         << " um (largest range);\n    "
         << 4.0/3*constant::mathematical::pi*range.cube().sum()/domain_->volume()
-        << " of them on each particle; ";
+        << " of them within reach of each particle; ";
 
     if (model.tolerance() > 0)
     {
         os  << "beyond, each is below the "
             << (model.needsTolerance() ? "default " : "") << "tolerance, "
             << model.tolerance() << " m/s"
-            << (model.needsTolerance() ? ", or has no time to arise\n" : "\n");
+            << (model.needsTolerance() || model.ends()
+             ? ", or has no time to arise\n" : "\n");
     }
     else
     {

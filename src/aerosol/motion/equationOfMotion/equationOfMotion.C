@@ -710,6 +710,27 @@ Foam::aerosol::vectors Foam::aerosol::equationOfMotion::quadrature
 }
 
 
+Foam::aerosol::vectors
+Foam::aerosol::equationOfMotion::settling(const particleArrays& p) const
+{
+    if (wake_->omega() <= 0)
+    {
+        return {};
+    }
+
+    vectors result(3, p.size());
+
+    for (int i = 0; i < p.size(); ++i)
+    {
+        // Nothing settles without drag
+        result.col(i) =
+            p.acceleration.col(i)*(p.rate(i) > 0 ? -1/p.rate(i) : 0);
+    }
+
+    return result;
+}
+
+
 void Foam::aerosol::equationOfMotion::wakes
 (
     const sources& from,
@@ -735,6 +756,7 @@ void Foam::aerosol::equationOfMotion::wakes
         block.r[k].setOnes();
         block.slip[k].setZero();
         block.quadrature[k].setZero();
+        block.steady[k].setZero();
     }
     block.radius.setOnes();
 
@@ -771,9 +793,10 @@ void Foam::aerosol::equationOfMotion::wakes
     const double* const slip = from.slip.data();
     const bool withQuadrature = from.quadrature.cols();
     const double* const quadrature = from.quadrature.data();
+    const double* const steady = from.steady.data();
     const std::vector<wake::path> paths =
         withQuadrature
-      ? wake_->paths(from.slip, from.quadrature)
+      ? wake_->paths(from.slip - from.steady, from.quadrature)
       : std::vector<wake::path>();
     const double* const d = from.d.data();
     const double* const range = from.range.data();
@@ -813,6 +836,7 @@ void Foam::aerosol::equationOfMotion::wakes
         for (int k = 0; withQuadrature && k < 3; ++k)
         {
             block.quadrature[k].data()[n] = quadrature[3*pair.j + k];
+            block.steady[k].data()[n] = steady[3*pair.j + k];
         }
 
         block.radius.data()[n] = 0.5*d[pair.j];
@@ -820,7 +844,7 @@ void Foam::aerosol::equationOfMotion::wakes
 
         // Counted, not chosen: which is faster than a branch that nobody can
         // predict
-        n += paths.empty() || paths[pair.j].isNear(r);
+        n += paths.empty() || paths[pair.j].isNear(r, paths[pair.i]);
 
         if (n == wake::blockSize)
         {
@@ -835,6 +859,7 @@ void Foam::aerosol::equationOfMotion::wakes
             block.r[k](b) = 1;
             block.slip[k](b) = 0;
             block.quadrature[k](b) = 0;
+            block.steady[k](b) = 0;
         }
         block.radius(b) = 1;
     }
@@ -856,7 +881,10 @@ void Foam::aerosol::equationOfMotion::wakes
 {
     wakes
     (
-        {x, u - v, particles.mobility, particles.range, quadrature},
+        {
+            x, u - v, particles.mobility, particles.range,
+            settling(particles), quadrature
+        },
         pairs,
         particles.size(),
         w

@@ -64,7 +64,7 @@ Foam::aerosol::timeStepping::outsideWakes
         with_.motion.wakes
         (
             {
-                x, slip, one.p.mobility, {},
+                x, slip, one.p.mobility, {}, with_.motion.settling(one.p),
                 with_.motion.quadrature(one.p.rate, one.gas, s, h)
             },
             acting,

@@ -149,6 +149,14 @@ void Foam::aerosol::timeStepping::involve
         quantities.push_back({sources_.range, wakeHalo_});
     }
 
+    if (with_.motion.wakeModel().omega() > 0)
+    {
+        const vectors all = with_.motion.settling(p);
+        sources_.steady.resize(3, wakeHalo_.size());
+        sources_.steady.leftCols(nInvolved) = all(Eigen::all, involved_);
+        quantities.push_back({sources_.steady, wakeHalo_, false});
+    }
+
     wakeHalo_.fill(quantities);
 }
 

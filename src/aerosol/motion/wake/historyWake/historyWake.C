@@ -195,31 +195,24 @@ std::vector<Foam::aerosol::wake::path> Foam::aerosol::historyWake::paths
     const vectors& quadrature
 ) const
 {
-    if (!(tolerance() > 0))
-    {
-        return {};
-    }
-
     std::vector<path> result(slip.cols());
 
     for (std::size_t j = 0; j < result.size(); ++j)
     {
-        // The way of the past is an ellipse about Q/omega: a strip along the
-        // longer of both
+        // An ellipse about Q/omega, in a strip along the longer of both
         const Eigen::Vector3d P = slip.col(j)/omega();
         const Eigen::Vector3d Q = quadrature.col(j)/omega();
         const bool ofP = P.squaredNorm() > Q.squaredNorm();
         const Eigen::Vector3d direction = (ofP ? P : Q).normalized();
         const Eigen::Vector3d& other = ofP ? Q : P;
-        const double width = (other - direction.dot(other)*direction).norm();
-        const double reach = 4*layer() + width;
 
         result[j] = path
         {
             {Q(0), Q(1), Q(2)},
             {direction(0), direction(1), direction(2)},
             std::sqrt(P.squaredNorm() + Q.squaredNorm()),
-            reach*reach
+            (other - direction.dot(other)*direction).norm(),
+            4*layer()
         };
     }
 
@@ -227,7 +220,7 @@ std::vector<Foam::aerosol::wake::path> Foam::aerosol::historyWake::paths
 }
 
 
-void Foam::aerosol::historyWake::evaluate
+void Foam::aerosol::historyWake::swinging
 (
     block& pairs,
     const acoustics::gasProperties& gas

@@ -30,7 +30,7 @@ namespace
 {
 
 //- Powers of lambda in the series of A, B, D, which are used up to |lambda| =
-//  0.42: what is missing is below 1e-12
+//  0.42: what is missing is below the precision
 constexpr int nPowers = 12;
 
 //- Single precision is more exact than the expansion, and Eigen has sine and
@@ -213,6 +213,33 @@ Foam::aerosol::scalars Foam::aerosol::memoryWake::range
 
 
 void Foam::aerosol::memoryWake::evaluate
+(
+    block& pairs,
+    const acoustics::gasProperties& gas
+) const
+{
+    const blockVectors slip = pairs.slip;
+
+    // What does not swing has always been there
+    pairs.slip = pairs.steady;
+    OseenWake::evaluate(pairs, gas);
+    const blockVectors ofSettling = pairs.velocity;
+
+    for (int k = 0; k < 3; ++k)
+    {
+        pairs.slip[k] = slip[k] - pairs.steady[k];
+    }
+    swinging(pairs, gas);
+
+    for (int k = 0; k < 3; ++k)
+    {
+        pairs.velocity[k] += ofSettling[k];
+    }
+    pairs.slip = slip;
+}
+
+
+void Foam::aerosol::memoryWake::swinging
 (
     block& pairs,
     const acoustics::gasProperties& gas
