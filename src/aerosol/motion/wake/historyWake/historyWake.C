@@ -166,26 +166,13 @@ Foam::aerosol::historyWake::historyWake(const dictionary& dict)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::aerosol::scalars Foam::aerosol::historyWake::range
+Foam::scalar Foam::aerosol::historyWake::reach
 (
-    const scalars& d,
-    const scalars& slip
+    const scalar a,
+    const scalar U
 ) const
 {
-    if (!(tolerance() > 0))
-    {
-        return OseenWake::range(d, slip);
-    }
-
-    scalars result(d.size());
-
-    for (int i = 0; i < result.size(); ++i)
-    {
-        const double U = finite(slip(i));
-        result(i) = std::min(reach(0.5*d(i), U, 1), end(U));
-    }
-
-    return result;
+    return std::min(bound(a, U, 1), end(U));
 }
 
 

@@ -152,7 +152,7 @@ void Foam::aerosol::memoryWake::setSound
 }
 
 
-Foam::scalar Foam::aerosol::memoryWake::reach
+Foam::scalar Foam::aerosol::memoryWake::bound
 (
     const scalar a,
     const scalar U,
@@ -183,6 +183,18 @@ Foam::scalar Foam::aerosol::memoryWake::end(const scalar U) const
 }
 
 
+Foam::scalar Foam::aerosol::memoryWake::reach
+(
+    const scalar a,
+    const scalar U
+) const
+{
+    const double all = bound(a, U, 0);
+
+    return needsTolerance() ? std::min(all, end(U)) : all;
+}
+
+
 Foam::aerosol::scalars Foam::aerosol::memoryWake::range
 (
     const scalars& d,
@@ -198,14 +210,8 @@ Foam::aerosol::scalars Foam::aerosol::memoryWake::range
 
     for (int i = 0; i < result.size(); ++i)
     {
-        const double U = finite(slip(i));
-
-        result(i) = reach(0.5*d(i), U, 0);
-
-        if (needsTolerance())
-        {
-            result(i) = std::min(result(i), end(U));
-        }
+        // GREAT without drag
+        result(i) = reach(0.5*d(i), std::min(slip(i), 1e6));
     }
 
     return result;
