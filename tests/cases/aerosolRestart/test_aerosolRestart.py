@@ -70,6 +70,7 @@ def same_tables(one, other, start):
     ("binary", "type Oseen;", False),
     ("ascii", "type Oseen;", False),
     ("ascii", "type Oseen; range 20;", True),
+    ("ascii", "type history; range 8;", False),
 ])
 def test_continues(tmp_path, meshed, writeFormat, wake, bounces):
     def make(name):
