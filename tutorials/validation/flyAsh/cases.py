@@ -67,21 +67,11 @@ MODELS = {
     "OseenSoftBounce": {"wake": "type Oseen;", "contact": SOFT},
     "memoryBounce": {"wake": "type memory;", "contact": BOUNCE},
     "historyBounce": {"wake": "type history;", "contact": BOUNCE},
-    "historySoftBounce": {"wake": "type history;", "contact": SOFT},
     # Aggregates break: by drag, and by impacts
     "noneDragBreakage": {"breakage": DRAG},
     "noneImpacts": {"breakage": IMPACTS},
     "OseenImpacts": {"wake": "type Oseen;", "breakage": IMPACTS},
-    "memoryImpacts": {"wake": "type memory;", "breakage": IMPACTS},
     "historyImpacts": {"wake": "type history;", "breakage": IMPACTS},
-    "historyTurbulence10Impacts": {
-        "wake": "type history;", "turbulence": EDDIES.format(10),
-        "breakage": IMPACTS
-    },
-    "historyTurbulence10SoftBounce": {
-        "wake": "type history;", "turbulence": EDDIES.format(10),
-        "contact": SOFT
-    },
     "turbulence10Impacts": {
         "turbulence": EDDIES.format(10), "breakage": IMPACTS
     },
