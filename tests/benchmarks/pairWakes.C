@@ -169,6 +169,7 @@ void block(benchmark::State& state, const std::string& type)
             pairs.r[k](b) = p.x(k, b) - p.x(k, b + 1);
             pairs.slip[k](b) = p.v(k, b);
             pairs.quadrature[k](b) = p.v(k, b + 1);
+            pairs.steady[k](b) = 0;
         }
         pairs.radius(b) = 0.5*p.d(b);
     }

@@ -3,8 +3,8 @@
 Reads the contacts of each frequency and wake, and prints the times beside those
 that are known: of Oseen's wake from afar (Runge-Kutta for the equations of a
 pair), and of the full history integral, of which `memory` has the first terms
-and `history` a sum (approachTest in doc/verification.md). Of times below a period, 5 ms at 200 Hz, much depends
-on the phase of the sound at the start.
+and `history` a sum (approachTest in doc/verification.md). Of times below a
+period, 5 ms at 200 Hz, much depends on the phase of the sound at the start.
 """
 
 import pathlib

@@ -128,7 +128,7 @@ TEST(historyWake, hasTheMeanOfTheIntegral)
                 ).first.dot(n);
 
                 measured("%10.3f", found/exact);
-                EXPECT_NEAR(found/exact, 1, x < 3 ? 0.01 : 0.05)
+                EXPECT_NEAR(found/exact, 1, 0.01)
                     << theta << ' ' << amplitude << ' ' << x;
             }
             measured("\n");
