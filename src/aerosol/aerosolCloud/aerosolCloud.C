@@ -6,7 +6,6 @@
 #include "aerosolCloud.H"
 #include "checkedEntry.H"
 #include "fvMesh.H"
-#include "mathematicalConstants.H"
 #include "particleSource.H"
 #include "Time.H"
 #include "vectorEntry.H"
@@ -60,6 +59,7 @@ Foam::aerosol::aerosolCloud::aerosolCloud
         {sound.frequency(), sound.expectedAmplitude()}
     ),
     contacts_(dict_),
+    suitability_(dict_, mesh.time(), *domain_, sound_, motion_, contacts_),
     breakages_(dict_.subOrEmptyDict("breakage")),
     timeStepping_
     (
@@ -138,7 +138,7 @@ Foam::aerosol::aerosolCloud::aerosolCloud
         prepareTravel(dictionary());
         makeParticles();
         applyLaws(dictionary());
-        checkRanges();
+        suitability_.requireRanges(particles_);
     }
     else
     {
@@ -149,11 +149,9 @@ Foam::aerosol::aerosolCloud::aerosolCloud
         checkGrowth();
     }
 
-    checkSound();
-    reportSettling();
-    checkBrownian();
-
-    Info<< summary().c_str() << nl << rangesOfWakes().c_str() << endl;
+    Info<< summary().c_str() << nl;
+    suitability_.report(particles_);
+    Info<< endl;
 
     // Up to here every rank has all of them
     bricks_.keepOwn(particles_);
@@ -367,7 +365,7 @@ void Foam::aerosol::aerosolCloud::applyLaws(const dictionary& state)
     // Not that of the time: decomposePar makes none for a rank without fields
     step_ = state.lookupOrDefault<label>("step", mesh_.time().timeIndex());
 
-    checkTolerance();
+    suitability_.requireTolerance();
     takeHistory(state);
     motion_.refresh(particles_);
 }
@@ -402,247 +400,6 @@ void Foam::aerosol::aerosolCloud::takeHistory(const dictionary& state)
             << "The unsteady drag has changed since the particles of time "
             << mesh_.time().timeName() << " were written; it begins anew, as"
             << " if they had moved with the gas until now" << endl;
-    }
-}
-
-
-void Foam::aerosol::aerosolCloud::checkTolerance() const
-{
-    const wake& model = motion_.wakeModel();
-    const dictionary& dict = dict_.subDict("wake");
-
-    const char* const remedy =
-        "give 'range', a number of diameters of the source, in this dictionary";
-
-    if
-    (
-        (model.needsTolerance() || model.tolerance() > 0)
-     && sound_.frequency() > 0
-     && sound_.expectedAmplitude() < 0
-    )
-    {
-        FatalIOErrorInFunction(dict)
-            << "The range of the wakes cannot be worked out from a tolerance:"
-            << " the velocity amplitude of the sound is not known. Give its"
-            << " expected level, 'SPL' or 'velocityAmplitude', in"
-            << " constant/acousticProperties, or " << remedy
-            << exit(FatalIOError);
-    }
-
-    if
-    (
-        model.needsTolerance()
-     && (model.tolerance() <= 0 || model.tolerance() > 0.1*GREAT)
-    )
-    {
-        FatalIOErrorInFunction(dict)
-            << "The range of the wakes has no default: without sound it comes"
-            << " from the settling speed of the particles, which is"
-            << (model.tolerance() > 0 ? " unlimited without drag" : " zero")
-            << ": " << remedy
-            << exit(FatalIOError);
-    }
-}
-
-
-std::string Foam::aerosol::aerosolCloud::rangesOfWakes() const
-{
-    std::ostringstream os;
-
-    if (!motion_.hasWakes() || !particles_.size())
-    {
-        return os.str();
-    }
-
-    const wake& model = motion_.wakeModel();
-    const int n = particles_.size();
-
-    scalars range = particles_.range;
-    std::sort(range.data(), range.data() + n);
-
-    os  << "Wakes act up to " << 1e6*range(0) << " um (smallest), "
-        << 1e6*range(n/2) << " um (median), " << 1e6*range(n - 1)
-        << " um (largest range);\n    "
-        << 4.0/3*constant::mathematical::pi*range.cube().sum()/domain_->volume()
-        << " of them within reach of each particle; ";
-
-    if (model.tolerance() > 0)
-    {
-        os  << "beyond, each is below the "
-            << (model.needsTolerance() ? "default " : "") << "tolerance, "
-            << model.tolerance() << " m/s"
-            << (model.needsTolerance() || model.ends()
-             ? ", or has no time to arise\n" : "\n");
-    }
-    else
-    {
-        os  << "a fixed number of diameters\n";
-    }
-
-    return os.str();
-}
-
-
-void Foam::aerosol::aerosolCloud::checkRanges() const
-{
-    const dictionary& dict = dict_.subDict("domain");
-    const scalar shortest = domain_->bounds().minDim();
-
-    // A particle must not feel a neighbour and its image at once
-    const auto requireRange = [&]
-    (
-        const char* what,
-        const scalar range,
-        const char* remedy
-    )
-    {
-        if (2*range > shortest)
-        {
-            FatalIOErrorInFunction(dict)
-                << "The shortest edge of the domain, " << shortest
-                << " m, is less than twice the largest " << what << ", "
-                << range << " m: particles would meet a neighbour and its"
-                << " periodic image at once. Make the domain larger or the "
-                << what << " smaller" << remedy
-                << exit(FatalIOError);
-        }
-    };
-
-    requireRange("range of contact", particles_.collision.maxCoeff(), "");
-    requireRange
-    (
-        "range of the wakes",
-        particles_.range.maxCoeff(),
-        motion_.wakeModel().tolerance() > 0
-      ? ", by a larger 'tolerance' or by a fixed 'range' in the dictionary"
-        " 'wake'"
-      : ", by 'range' in the dictionary 'wake'"
-    );
-}
-
-
-void Foam::aerosol::aerosolCloud::checkSound() const
-{
-    if (sound_.frequency() <= 0)
-    {
-        return;
-    }
-
-    const scalar steps =
-        1/(sound_.frequency()*mesh_.time().deltaTValue());
-    const scalar shortest = domain_->bounds().minDim();
-
-    // Those that are carried along best and least move relative to each other
-    const scalar omega = constant::mathematical::twoPi*sound_.frequency();
-    const scalars tau = motion_.relaxationTime(particles_);
-    const scalar s1 = min(omega*tau.minCoeff(), 1e8);
-    const scalar s2 = min(omega*tau.maxCoeff(), 1e8);
-    const scalar u12 =
-        sound_.velocityAmplitude()*(s2 - s1)/sqrt((1 + s1*s1)*(1 + s2*s2));
-    const scalar displacement = 2*u12/omega;
-    const scalar layer = sqrt(2*sound_.gas().nu()/omega);
-
-    std::ostringstream os;
-    os  << "Fluid steps per period " << steps << " (k_f = " << 1/steps
-        << ")\nRelative displacement of the smallest and the largest particle "
-        << displacement << " m (peak to peak), Stokes layer " << layer
-        << " m, shortest edge of the domain " << shortest << " m";
-
-    Info<< os.str().c_str() << nl;
-
-    if (steps < 20)
-    {
-        WarningInFunction
-            << "With " << steps << " fluid steps per period the particles do"
-            << " not see the sound as it is: use 20 at least, and 50 for"
-            << " strategies other than eventDriven" << endl;
-    }
-
-    if
-    (
-        (contacts_.active() || motion_.hasWakes())
-     && (shortest < displacement || shortest < 4*layer)
-    )
-    {
-        WarningInFunction
-            << "The domain is shorter than the relative displacement, "
-            << displacement << " m, or than four Stokes layers, " << 4*layer
-            << " m: particles meet periodic images that they would not meet"
-            << " in the chamber, and agglomerate too fast" << endl;
-    }
-}
-
-
-void Foam::aerosol::aerosolCloud::reportSettling() const
-{
-    if (!particles_.size() || particles_.rate.minCoeff() <= 0)
-    {
-        return;
-    }
-
-    const vectors speed =
-        particles_.acceleration.array().rowwise()
-       /particles_.rate.transpose();
-
-    Eigen::Index i;
-    const scalar fastest = speed.colwise().norm().maxCoeff(&i);
-
-    if (fastest <= 0)
-    {
-        return;
-    }
-
-    const Time& time = mesh_.time();
-    const scalar rest = time.endTime().value() - time.value();
-    const Eigen::Array3d edges = acoustics::toEigen(domain_->bounds().span());
-
-    std::ostringstream os;
-    os  << "The fastest settles at " << fastest << " m/s: by " << rest*fastest
-        << " m until the end, "
-        << rest*(speed.col(i).array().abs()/edges).maxCoeff()
-        << " times through the domain";
-
-    Info<< os.str().c_str() << nl;
-}
-
-
-void Foam::aerosol::aerosolCloud::checkBrownian() const
-{
-    // Their noise of the step is known, and a bounce would have to reflect what
-    // is left of it for both
-    if (motion_.hasBrownian() && contacts_.bounces())
-    {
-        FatalIOErrorInFunction(dict_.subDict("contact"))
-            << "Particles that bounce cannot have Brownian motion: set"
-            << " 'Brownian' to none, or let them stick or pass"
-            << exit(FatalIOError);
-    }
-
-    if (!motion_.hasBrownian() || !particles_.size())
-    {
-        return;
-    }
-
-    // Of two alike, relative to one another
-    const scalars ways =
-        Foam::sqrt(2.0)
-       *motion_.reach(mesh_.time().deltaTValue(), particles_).x;
-
-    Eigen::Index i;
-    const scalar most = (ways/particles_.collision).maxCoeff(&i);
-
-    Info<< "Brownian motion in a fluid step, of two alike relative to one"
-        << " another: at most " << most << " diameters, at "
-        << particles_.collision(i) << " m" << nl;
-
-    if (most > 4)
-    {
-        WarningInFunction
-            << "In one fluid step, particles of " << particles_.collision(i)
-            << " m"
-            << " stray by " << most << " of their diameters relative to one"
-            << " another: eventDriven resolves up to four, and misses contacts"
-            << " beyond. Reduce deltaT" << endl;
     }
 }
 
