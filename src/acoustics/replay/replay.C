@@ -190,12 +190,20 @@ Foam::acoustics::replay::chamber::chamber
             << " uniform/replay in " << root/time << exit(FatalIOError);
     }
 
-    gas = gasProperties::read
-    (
+    const dictionary known =
         dict.found("gas") ? dict.subDict("gas")
       : replayed.found("gas") ? replayed.subDict("gas")
-      : left("undisturbedGas", time, *mesh)
-    );
+      : left("undisturbedGas", time, *mesh);
+
+    if (known.empty())
+    {
+        WarningInFunction
+            << "The gas of the sound that is replayed is not known: air of"
+            << " 20 C is taken. Give 'gas' in line " << dict.startLineNumber()
+            << " of " << dict.name() << " if it is another" << endl;
+    }
+
+    gas = gasProperties::read(known);
 }
 
 

@@ -242,6 +242,8 @@ Foam::dictionary Foam::aerosol::agglomerationTables::sizeBins
 {
     const dictionary given(dict.subOrEmptyDict("sizeBins"));
 
+    requireOnly(given, {"min", "max", "n"});
+
     const scalar smallest = d.size() ? d.minCoeff() : 1e-7;
     const scalar largest = d.size() ? d.maxCoeff() : 1e-5;
 

@@ -384,6 +384,10 @@ BAD = {
         "report { sizeBins { min 1e-5; max 1e-6; } }\ndomain",
         "sizeBins .* max must be above min",
     ),
+    "sizeBinsEntry": (
+        AEROSOL, "domain", "report { sizeBins { count 10; } }\ndomain",
+        "Unknown entry 'count' .*min max n",
+    ),
     "asciiDigits": (
         CONTROL, r"binary;\s*writePrecision +16", "ascii; writePrecision 6",
         "writePrecision 6 .*writePrecision +16",
