@@ -218,6 +218,22 @@ Foam::scalar Foam::readNonNegative
 }
 
 
+Foam::label Foam::readSeed(const dictionary& dict)
+{
+    const label seed = dict.lookupOrDefault<label>("seed", 1);
+
+    if (seed < 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'seed' of " << dict.name() << " is " << seed
+            << ", but it must be a whole number, zero or more"
+            << exit(FatalIOError);
+    }
+
+    return seed;
+}
+
+
 Foam::vector Foam::readVector
 (
     const dictionary& dict,
@@ -236,6 +252,14 @@ Foam::vector Foam::readVector
 
     vector value;
     is >> value;
+
+    if (is.nRemainingTokens())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry '" << key << "' of " << dict.name()
+            << " must be one vector, such as (1 0 0), and nothing after it"
+            << exit(FatalIOError);
+    }
 
     return multiplier*value;
 }

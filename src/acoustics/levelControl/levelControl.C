@@ -327,10 +327,11 @@ void Foam::acoustics::levelControl::control()
 
     Info<< " deg, change " << 100*change << " %";
 
-    if (starting || response.size() < 3)
+    if (starting || nStarted_ < crossing_ || response.size() < 3)
     {
         nHeld_ = 0;
-        Info<< "; the sources start" << endl;
+        Info<< (starting ? "; the sources start" : "; the sound is on its way")
+            << endl;
         return;
     }
 
@@ -346,15 +347,16 @@ void Foam::acoustics::levelControl::control()
 
     Info<< ", settles at " << target + settledError << " dB" << endl;
 
-    if (nStarted_ > 3)
+    if (nStarted_ > 3 + crossing_)
     {
         checkReach(std::abs(response.back()), loudest, wantedDrive);
     }
 
     // Let the last change be over for two periods, and the field answer
+    // everywhere
     const bool quiet =
-        nStarted_ >= 3
-     && mesh_.time().value() > factor_.end() + 1.9/frequency_;
+        nStarted_ >= 3 + crossing_
+     && mesh_.time().value() > factor_.end() + (1.9 + crossing_)/frequency_;
 
     // What holds is not touched for a trifle: the field would never repeat
     const scalar trifle = (nHeld_ < 3 ? 0.3 : 0.7)*tolerance_;
@@ -434,6 +436,7 @@ Foam::acoustics::levelControl::levelControl
     p_(frequency, 1),
     pSquared_(frequency, 0),
     drive_(frequency, 1),
+    crossing_(std::floor(mesh.bounds().mag()*frequency/soundSpeed)),
     driveOfUnit_(0),
     nStarted_(0),
     nHeld_(0),

@@ -212,6 +212,25 @@ Foam::label Foam::acoustics::harmonicFlow::prepare(const boundBox& box)
 }
 
 
+Eigen::Vector3d
+Foam::acoustics::harmonicFlow::meanInMiddle(const label number) const
+{
+    const region& r = regions_[number];
+    const velocityLattice& lattice = r.sampler->lattice();
+    const Eigen::Matrix3Xd nodes = lattice.nodes();
+
+    Eigen::Matrix3Xd middle;
+    lattice.interpolate
+    (
+        r.terms[0],
+        0.5*(nodes.leftCols<1>() + nodes.rightCols<1>()),
+        middle
+    );
+
+    return middle.col(0);
+}
+
+
 Foam::scalar Foam::acoustics::harmonicFlow::flattenMean(const label number)
 {
     region& r = regions_[number];
@@ -225,10 +244,9 @@ Foam::scalar Foam::acoustics::harmonicFlow::flattenMean(const label number)
     const scalar gradient = r.sampler->rmsGradient(mean);
     const scalar largest = std::sqrt(mean.square().colwise().sum().maxCoeff());
 
-    Eigen::Matrix3Xd middle;
-    lattice.interpolate(mean, 0.5*(low + high), middle);
+    const Eigen::Vector3d middle = meanInMiddle(number);
 
-    mean.topRows<3>().colwise() = middle.col(0).array();
+    mean.topRows<3>().colwise() = middle.array();
 
     for (region::moment& m : r.moments)
     {

@@ -340,9 +340,14 @@ void Foam::aerosol::aerosolCloud::prepareTravel(const dictionary& state)
     sound_.prepare(travel_->path());
     sound_.move(travel_->velocity(), start);
 
-    if (state.found("gasWay"))
+    if (state.found("gasWayX"))
     {
-        sound_.setWay(acoustics::toEigen(state.get<vector>("gasWay")));
+        sound_.setWay
+        ({
+            state.get<scalar>("gasWayX"),
+            state.get<scalar>("gasWayY"),
+            state.get<scalar>("gasWayZ")
+        });
     }
 }
 
@@ -365,6 +370,7 @@ void Foam::aerosol::aerosolCloud::applyLaws(const dictionary& state)
     // Not that of the time: decomposePar makes none for a rank without fields
     step_ = state.lookupOrDefault<label>("step", mesh_.time().timeIndex());
 
+    motion_.setMeanFlow(sound_.meanFlow());
     suitability_.requireTolerance();
     takeHistory(state);
     motion_.refresh(particles_);
@@ -416,11 +422,11 @@ void Foam::aerosol::aerosolCloud::checkGrowth()
     if (!outgrown_ && 2*range > domain_->bounds().minDim())
     {
         WarningInFunction
-            << "At time " << mesh_.time().timeName() << " the largest aggregate"
-            << " has grown so far that twice the range of its wake or its"
-            << " diameter, " << range << " m, exceeds the shortest edge of the"
-            << " domain: its neighbours feel it together with its periodic"
-            << " images from now on" << endl;
+            << "At time " << mesh_.time().timeName() << " twice the range of"
+            << " the wake, or the diameter, of the largest aggregate, "
+            << range << " m, exceeds the shortest edge of the domain (it has"
+            << " grown, or 'wake' has changed): its neighbours feel it together"
+            << " with its periodic images from now on" << endl;
 
         outgrown_ = true;
     }
@@ -465,7 +471,8 @@ void Foam::aerosol::aerosolCloud::tabulate()
         );
 
         // Rows at whole intervals, also after a restart
-        nextRow_ = interval_*(std::floor(now/interval_ + 1e-6) + 1);
+        const scalar reached = now + 0.5*runTime.deltaTValue();
+        nextRow_ = interval_*(std::floor(reached/interval_ + 1e-6) + 1);
     }
 
     if (first || end)
@@ -520,7 +527,10 @@ Foam::dictionary Foam::aerosol::aerosolCloud::state() const
     {
         const Eigen::Vector3d way = sound_.way();
 
-        dict.add("gasWay", vector(way(0), way(1), way(2)));
+        // A vector would lose digits here
+        dict.add("gasWayX", way(0));
+        dict.add("gasWayY", way(1));
+        dict.add("gasWayZ", way(2));
     }
 
     return dict;

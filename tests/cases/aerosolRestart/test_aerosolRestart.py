@@ -18,6 +18,8 @@ def prepare(directory, meshed, writeFormat="binary"):
     case = AerosolCase(directory, meshed)
     case.aerosol("numberConcentration", "30e12")
     case.control("writeFormat", writeFormat)
+    if writeFormat == "binary":  # which needs no more
+        case.control("writePrecision", "6")
     case.control("writeInterval", "10")
     case.control("deltaT", repr(STEP))
     case.control("timePrecision", "16")
@@ -106,6 +108,19 @@ def test_continues(tmp_path, meshed, writeFormat, wake, bounces):
 
     same_clouds(whole, parts)
     same_tables(whole, parts, start)
+
+
+def test_writes_a_row_per_interval(tmp_path, meshed):
+    """Also where it is no whole number of steps; and at times written."""
+    case = prepare(tmp_path/"case", meshed)
+    case.replace(
+        "constant/aerosolProperties", "interval [^;]*;",
+        f"interval {3.4*STEP!r};",
+    )
+    case.run("acousticDEMFoam")
+    due = {round(3.4*n) for n in range(12)} | {0, 10, 20, 30, 40}
+    rows = np.round(case.table()["time"]/STEP).astype(int)
+    assert list(rows) == sorted(due)
 
 
 def test_survives_a_kill(tmp_path, meshed):

@@ -241,6 +241,14 @@ BAD = {
     ),
     "nan": (ACOUSTIC, "1400", "nan", "'frequency' .* is 'nan', .* number"),
     "inf": (AEROSOL, "2300", "inf", "'density' .* is 'inf', .* number"),
+    "lengthOfThree": (
+        AEROSOL, r"length +0\.5e-3", "length 5e-4 1e-3 5e-4",
+        r"'length' .* is .0\.0005 0\.001 0\.0005., .* \(Lx Ly Lz\)",
+    ),
+    "vectorAndMore": (
+        ACOUSTIC, "SPL", "velocity (1 0 0) 2; SPL",
+        "'velocity' .* must be one vector",
+    ),
     "infLength": (AEROSOL, r"0\.5e-3", "inf", "inf.*domain.length"),
     "infInCentre": (AEROSOL, r"0\.0613 0 0", "inf 0 0", "inf.*domain.centre"),
     "nothing": (ACOUSTIC, "1400", "", "'frequency' .* one number"),
@@ -354,6 +362,9 @@ BAD = {
     "typoInTolerance": (
         AEROSOL, "range +20", "tolerence 1",
         "Unknown .* 'tolerence' .* tolerance",
+    ),
+    "negativeSeed": (
+        AEROSOL, r"\bseed [^;]*;", "seed -1;", "'seed' .* is -1, .* zero or more",
     ),
     "typoInSeed": (AEROSOL, r"\bseed\b", "sed", "Unknown .* 'sed' .* seed"),
     "typoInSound": (

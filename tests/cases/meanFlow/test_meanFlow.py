@@ -215,3 +215,34 @@ def test_needs_the_mean_flow(tmp_path, meshed):
     case = prepare(tmp_path/"case", meshed, velocity)
     (case.path/"0"/"UMean").unlink()
     refused(case, "There is no field .*UMean")
+
+
+@pytest.mark.parametrize("wake", ["memory", "history"])
+def test_is_no_swing_for_wakes(tmp_path, meshed, wake):
+    """Two particles: the same in gas that moves across the sound, with it."""
+    def separation(model, mean):
+        case = AerosolCase(tmp_path/f"{model}{mean}", meshed)
+        case.model("wake", f"type {model};" + " range 15;"*(model != "none"))
+        case.model("timeStepping", "type eventDriven;")
+        case.model("gravity", "type none;")
+        case.model("contact", "type none;")
+        middle = np.array([0.0613, 0, 0])
+        case.particles([
+            (middle, 10e-6), (middle + [60e-6, 80e-6, 0], 4e-6),
+        ])
+        case.replace("constant/acousticProperties", "standing", "travelling")
+        case.entry(
+            "constant/acousticProperties", "SPL",
+            f"147; direction (0 1 0); velocity ({mean} 0 0)",
+        )
+        case.control("endTime", "#eval{ 5.0/$frequency }")
+        case.run("acousticDEMFoam")
+        x = case.cloud(case.times()[-1])["position"]
+        return (x[1] - x[0] + 0.25e-3) % 0.5e-3 - 0.25e-3
+
+    rest, alone = separation(wake, 0), separation("none", 0)
+    error = np.linalg.norm(separation(wake, 1) - rest)
+    wakes = np.linalg.norm(rest - alone)
+    print(f"{wake}: {wakes} m by the wakes, {error} m more in a mean flow")
+    assert wakes > 1e-6
+    assert error < 1e-6*wakes

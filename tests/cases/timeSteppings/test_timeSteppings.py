@@ -52,3 +52,23 @@ def test_same_contacts(tmp_path, meshed, wake):
     apart = np.linalg.norm(x[0] - x[1], axis=1)[alike]
     print("apart, median and largest", np.median(apart), apart.max())
     assert np.median(apart) < (1e-7 if "none" in wake else 4e-7)
+
+
+@pytest.mark.parametrize("wake", ["type none;", "type Oseen; range 20;"])
+@pytest.mark.parametrize("stepping", ["type eventDriven;", *STEPPINGS.values()])
+def test_without_drag_all_go_straight_on(tmp_path, meshed, stepping, wake):
+    case = AerosolCase(tmp_path/"case", meshed)
+    case.model("timeStepping", stepping)
+    case.model("wake", wake)
+    case.model("drag", "type none;")
+    case.model("gravity", "type none;")
+    case.model("contact", "type none;")
+    case.replace(
+        "constant/aerosolProperties", "  seed", "  initialVelocity rest; seed"
+    )
+    case.control("endTime", "#eval{ 0.1/$frequency }")
+    case.control("writeInterval", "10")
+    case.run("acousticDEMFoam")
+    first, last = (case.cloud(case.times()[k]) for k in (0, -1))
+    assert np.array_equal(first["position"], last["position"])
+    assert not last["U"].any()

@@ -193,6 +193,10 @@ TEST(harmonicFlow, flattensTheMean)
 
     EXPECT_LT(off(1, false), 1e-12);
 
+    const vector middle = b + (box.centre() & A);
+    const Eigen::Vector3d mean(middle.x(), middle.y(), middle.z());
+    EXPECT_LT((flow.meanInMiddle(1) - mean).norm(), 1e-12);
+
     const double G = flow.flattenMean(1);
 
     std::printf

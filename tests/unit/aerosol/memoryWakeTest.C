@@ -349,11 +349,18 @@ TEST(memoryWake, knowsTheQuadratureOfASwingingParticle)
     );
     motion.refresh(p);
 
+    // In a mean flow, which does not swing
+    const vec mean(0.3, -0.2, 0);
+    motion.setMeanFlow(mean);
+
     // A parabola through three instants of the sound
     const double h = 1/frequency/200;
     const auto gasAt = [&](const double phase)
     {
-        return vectors(vec(u0*std::cos(phase), 0, 0).replicate(1, 3));
+        return vectors
+        (
+            (mean + vec(u0*std::cos(phase), 0, 0)).replicate(1, 3)
+        );
     };
 
     for (const double phase : {0.0, 0.4, 2.0, 5.0})

@@ -7,8 +7,6 @@
 
 #include "addToRunTimeSelectionTable.H"
 
-#include <cmath>
-
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
 namespace Foam

@@ -125,17 +125,16 @@ Foam::scalar Foam::acoustics::oscillation::value(const scalar t)
 
 void Foam::acoustics::oscillation::write(Ostream& os) const
 {
+    // In full, or the sound would jump at a restart
+    const int precision = os.precision
+    (
+        std::numeric_limits<scalar>::max_digits10
+    );
     amplitude_->writeData(os);
     frequency_->writeData(os);
     os.writeEntry("phase", phase_);
     os.writeEntry("rampPeriods", rampPeriods_);
     os.writeEntry("startTime", startTime_);
-
-    // In full, or the phase would jump at a restart
-    const int precision = os.precision
-    (
-        std::numeric_limits<scalar>::max_digits10
-    );
     os.writeEntry("periods", periods_);
     os.writeEntry("countedTime", countedTime_);
     os.precision(precision);

@@ -43,12 +43,12 @@ Foam::vector readLength(const Foam::dictionary& dict)
         is >> length;
     }
 
-    if (!(Foam::cmptMin(length) > 0))
+    if (is.nRemainingTokens() || !(Foam::cmptMin(length) > 0))
     {
         FatalIOErrorInFunction(dict)
-            << "Entry 'length' of " << dict.name() << " is " << length
-            << ", but every edge of the box must be positive: one number for"
-            << " a cube or (Lx Ly Lz), in metres"
+            << "Entry 'length' of " << dict.name() << " is "
+            << is.toString() << ", but it must be one number, for a cube, or"
+            << " (Lx Ly Lz), all of them positive, in metres"
             << exit(Foam::FatalIOError);
     }
 

@@ -154,7 +154,8 @@ Foam::aerosol::equationOfMotion::equationOfMotion
         )
     ),
     period_(period),
-    slips_(slips)
+    slips_(slips),
+    meanFlow_(Eigen::Vector3d::Zero())
 {
     wake_->setSound(dict.subDict("wake"), slips_.omega(), gas_);
 }
@@ -703,7 +704,8 @@ Foam::aerosol::vectors Foam::aerosol::equationOfMotion::quadrature
         const double share = rate(i)/omega;
 
         result.col(i) =
-            (share*u.col(i) - change.col(i)/omega)/(1 + share*share);
+            (share*(u.col(i) - meanFlow_) - change.col(i)/omega)
+           /(1 + share*share);
     }
 
     return result;
@@ -892,59 +894,22 @@ void Foam::aerosol::equationOfMotion::wakes
 }
 
 
-void Foam::aerosol::equationOfMotion::step
+void Foam::aerosol::equationOfMotion::moveInWakes
 (
     const scalar h,
     const particleArrays& p,
-    const std::vector<particlePair>& wakePairs,
     const gasStep& gas,
-    const gasStep& outside,
+    const wakesOfStep& wakesAt,
     const int nIterations,
+    gasStep& w,
     state& end
 ) const
 {
-    gasStep w;
-
-    if (!hasWakes())
-    {
-        move(h, p, gas, w, false, end);
-
-        if (!linear())
-        {
-            move(h, p, gas, w, true, end);
-        }
-
-        split(h, p, end);
-        return;
-    }
-
-    // The thermal velocity at the end is that of drag and noise alone
-    cool(h, p, end);
     state middle = halfway(h, p, end);
-
-    const auto wakesAt =
-    [&]
-    (
-        const scalar s,
-        const vectors& x,
-        const vectors& v,
-        const vectors& u,
-        vectors& result
-    )
-    {
-        wakes
-        (
-            p, wakePairs, x, v, u, result, quadrature(p.rate, gas, s, h)
-        );
-
-        if (outside.u0.cols())
-        {
-            result += outside.at(s);
-        }
-    };
-
     const gasStep firstHalf = gas.part(0, 0.5);
 
+    w.um.resize(3, 0);
+    w.u1.resize(3, 0);
     wakesAt(0, p.x, drift(p.v, p.thermal), gas.u0, w.u0);
 
     for (int n = 0; n < nIterations; ++n)
@@ -974,6 +939,60 @@ void Foam::aerosol::equationOfMotion::step
         wakesAt(1, end.x, drift(end.v, end.thermal), gas.u1, w.u1);
         move(h, p, gas, w, true, end);
     }
+}
+
+
+void Foam::aerosol::equationOfMotion::step
+(
+    const scalar h,
+    const particleArrays& p,
+    const std::vector<particlePair>& wakePairs,
+    const gasStep& gas,
+    const gasStep& outside,
+    const int nIterations,
+    state& end
+) const
+{
+    gasStep w;
+
+    if (!hasWakes())
+    {
+        move(h, p, gas, w, false, end);
+
+        if (!linear())
+        {
+            move(h, p, gas, w, true, end);
+        }
+
+        split(h, p, end);
+        return;
+    }
+
+    // The thermal velocity at the end is that of drag and noise alone
+    cool(h, p, end);
+
+    const auto wakesAt =
+    [&]
+    (
+        const scalar s,
+        const vectors& x,
+        const vectors& v,
+        const vectors& u,
+        vectors& result
+    )
+    {
+        wakes
+        (
+            p, wakePairs, x, v, u, result, quadrature(p.rate, gas, s, h)
+        );
+
+        if (outside.u0.cols())
+        {
+            result += outside.at(s);
+        }
+    };
+
+    moveInWakes(h, p, gas, wakesAt, nIterations, w, end);
 
     split(h, p, end);
 }

@@ -210,7 +210,8 @@ Foam::aerosol::scalars Foam::aerosol::eventDriven::wakesNow
     scalars reach = p.range;
     for (int j = 0; j < n; ++j)
     {
-        const double s = omega/p.rate(j);
+        // Finite also without drag
+        const double s = p.rate(j) > 1e-8*omega ? omega/p.rate(j) : 1e8;
         const double slip = s/std::sqrt(1 + s*s)*u0;
 
         strength(j) = 0.5*p.mobility(j)*slip;

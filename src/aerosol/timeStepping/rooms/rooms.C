@@ -75,7 +75,9 @@ double Foam::aerosol::rooms::make
     {
         for (int i = 0; i < n; ++i)
         {
-            const double s = omega/p.rate(i);
+            // Finite also without drag
+            const double s =
+                p.rate(i) > 1e-8*omega ? omega/p.rate(i) : 1e8;
             response(0, i) = 1/(1 + s*s);
             response(1, i) = -s/(1 + s*s);
         }

@@ -15,7 +15,7 @@ Description
 
 #include "timeStepping.H"
 
-#include <algorithm>
+#include <cmath>
 #include <queue>
 #include <tuple>
 

@@ -289,74 +289,46 @@ void Foam::aerosol::timeStepping::moveInWakes
     // The thermal velocity at the end is that of drag and noise alone
     motion.cool(h, q, there);
 
-    const auto quadratureAt = [&](const scalar s)
-    {
-        return motion.quadrature(q.rate, air, s, h);
-    };
-
-    wakesAt
+    const auto wakesOf =
+    [&]
     (
-        q.x, motion.drift(q.v, q.thermal), air.u0, quadratureAt(0),
-        wakesX_.u0, wakesSlip_.u0, w.u0
-    );
-    w.um.resize(3, 0);
-    w.u1.resize(3, 0);
-
-    vectors found;
-
-    const auto wakesAtEnd = [&]()
+        const scalar s,
+        const vectors& x,
+        const vectors& v,
+        const vectors& u,
+        vectors& result
+    )
     {
+        const auto part = [&](gasStep& all) -> vectors&
+        {
+            return s == 0 ? all.u0 : s == 1 ? all.u1 : all.um;
+        };
+
         wakesAt
         (
-            there.x, motion.drift(there.v, there.thermal), air.u1,
-            quadratureAt(1),
-            wakesX_.u1, wakesSlip_.u1, found
+            x, v, u, motion.quadrature(q.rate, air, s, h),
+            part(wakesX_), part(wakesSlip_), result
         );
-        w.u1.swap(found);
     };
 
-    if (!withMiddle)
+    if (withMiddle)
     {
-        wakesX_.um.resize(3, 0);
-        wakesSlip_.um.resize(3, 0);
-
-        motion.move(h, q, air, w, false, there);
-        wakesAtEnd();
-        motion.move(h, q, air, w, true, there);
+        motion.moveInWakes(h, q, air, wakesOf, nIterations, w, there);
     }
     else
     {
-        const gasStep firstHalf = air.part(0, 0.5);
-        equationOfMotion::state middle = motion.halfway(h, q, there);
+        w.um.resize(3, 0);
+        w.u1.resize(3, 0);
+        wakesX_.um.resize(3, 0);
+        wakesSlip_.um.resize(3, 0);
 
-        for (int n = 0; n < nIterations; ++n)
-        {
-            // First with the wakes of the beginning, later with those just
-            // found
-            const bool again = n > 0;
-
-            motion.move
-            (
-                0.5*h, q, firstHalf, again ? w.part(0, 0.5) : w, again,
-                middle
-            );
-            wakesAt
-            (
-                middle.x, motion.drift(middle.v, middle.thermal),
-                firstHalf.u1, quadratureAt(0.5),
-                wakesX_.um, wakesSlip_.um, found
-            );
-            w.um.swap(found);
-
-            if (!again)
-            {
-                w.u1 = 2*w.um - w.u0;
-                motion.move(h, q, air, w, false, there);
-            }
-
-            wakesAtEnd();
-            motion.move(h, q, air, w, true, there);
-        }
+        wakesOf(0, q.x, motion.drift(q.v, q.thermal), air.u0, w.u0);
+        motion.move(h, q, air, w, false, there);
+        wakesOf
+        (
+            1, there.x, motion.drift(there.v, there.thermal), air.u1, w.u1
+        );
+        motion.move(h, q, air, w, true, there);
     }
 
     for (std::size_t k = 0; k < involved_.size(); ++k)

@@ -6,7 +6,7 @@
 #include "timeStepping.H"
 #include "selectModel.H"
 
-#include <algorithm>
+#include <cmath>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 

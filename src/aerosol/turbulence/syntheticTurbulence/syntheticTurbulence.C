@@ -130,21 +130,6 @@ void sineCosine
 }
 
 
-std::uint64_t readSeed(const Foam::dictionary& dict)
-{
-    const Foam::label seed = dict.lookupOrDefault<Foam::label>("seed", 1);
-
-    if (seed < 0)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'seed' of " << dict.name() << " is " << seed
-            << "; it must not be negative" << Foam::exit(Foam::FatalIOError);
-    }
-
-    return seed;
-}
-
-
 //- Of the turbulence, or taken from the mean flow
 Foam::scalar readShearRate
 (

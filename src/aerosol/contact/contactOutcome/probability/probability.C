@@ -48,23 +48,6 @@ scalar readShare
     return value;
 }
 
-
-//- The seed, which must not be negative
-label readSeed(const dictionary& dict)
-{
-    const label seed = dict.lookupOrDefault<label>("seed", 1);
-
-    if (seed < 0)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'seed' of " << dict.name() << " is " << seed
-            << ", but it must be a whole number, zero or more"
-            << exit(FatalIOError);
-    }
-
-    return seed;
-}
-
 } // End anonymous namespace
 
 

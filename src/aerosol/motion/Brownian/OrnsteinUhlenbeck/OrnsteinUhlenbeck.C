@@ -37,23 +37,6 @@ using lanes = OrnsteinUhlenbeck::lanes;
 constexpr double kB = 1.380649e-23;
 
 
-//- The seed, which must not be negative
-label readSeed(const dictionary& dict)
-{
-    const label seed = dict.lookupOrDefault<label>("seed", 1);
-
-    if (seed < 0)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'seed' of " << dict.name() << " is " << seed
-            << ", but it must be a whole number, zero or more"
-            << exit(FatalIOError);
-    }
-
-    return seed;
-}
-
-
 //- Those of particle i, i + 1, ..., and sound ones for unused lanes
 lanes fill(const scalars& values, const int i, const int n)
 {

@@ -125,7 +125,7 @@ Foam::aerosol::distributionSource::distributionSource(const dictionary& dict)
 :
     particleSource(dict),
     size_(sizeDistribution::New(dict.subDict("size"))),
-    random_(dict.lookupOrDefault<label>("seed", 1))
+    random_(readSeed(dict))
 {
     requireKnown(dict);
 }
