@@ -195,7 +195,7 @@ Foam::acoustics::replay::chamber::chamber
       : replayed.found("gas") ? replayed.subDict("gas")
       : left("undisturbedGas", time, *mesh);
 
-    if (known.empty())
+    if (known.empty() && !dict.found("gas"))
     {
         WarningInFunction
             << "The gas of the sound that is replayed is not known: air of"

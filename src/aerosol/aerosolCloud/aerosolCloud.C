@@ -7,6 +7,7 @@
 #include "checkedEntry.H"
 #include "fvMesh.H"
 #include "particleSource.H"
+#include "simplifiedFvMesh.H"
 #include "Time.H"
 #include "vectorEntry.H"
 
@@ -370,7 +371,8 @@ void Foam::aerosol::aerosolCloud::applyLaws(const dictionary& state)
     // Not that of the time: decomposePar makes none for a rank without fields
     step_ = state.lookupOrDefault<label>("step", mesh_.time().timeIndex());
 
-    motion_.setMeanFlow(sound_.meanFlow());
+    // If it is not known, a domain that is carried along is carried by it
+    motion_.setMeanFlow(sound_.meanFlow().value_or(Eigen::Vector3d::Zero()));
     suitability_.requireTolerance();
     takeHistory(state);
     motion_.refresh(particles_);
@@ -423,10 +425,11 @@ void Foam::aerosol::aerosolCloud::checkGrowth()
     {
         WarningInFunction
             << "At time " << mesh_.time().timeName() << " twice the range of"
-            << " the wake, or the diameter, of the largest aggregate, "
-            << range << " m, exceeds the shortest edge of the domain (it has"
-            << " grown, or 'wake' has changed): its neighbours feel it together"
-            << " with its periodic images from now on" << endl;
+            << " the wake, or of contact, of the largest aggregate, "
+            << 2*range << " m, exceeds the shortest edge of the domain, "
+            << domain_->bounds().minDim() << " m (it has grown, or 'wake' has"
+            << " changed): its neighbours feel it together with its periodic"
+            << " images from now on" << endl;
 
         outgrown_ = true;
     }
@@ -572,7 +575,8 @@ void Foam::aerosol::aerosolCloud::couple(gasReaction& reaction)
 
 void Foam::aerosol::aerosolCloud::begin()
 {
-    if (isNew_)
+    // The mesh of a -dry-run is not the one to go on with
+    if (isNew_ && !isA<simplifiedFvMesh>(mesh_))
     {
         // ParaView finds a cloud only if it is there from the first time on
         files_.write(bricks::gather(particles_), state());

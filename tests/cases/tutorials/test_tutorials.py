@@ -96,8 +96,13 @@ def test_runs_in_a_copy(tmp_path, allrun):
 def test_short_tries_do_not_warn(tmp_path, allrun):
     case = FoamCase(allrun.parent.name, tmp_path/"case")
     case.run("blockMesh")
+    before = set(files(case))
     log = case.run("acousticDEMFoam", "-dry-run")
     assert "FOAM Warning" not in log, log
+
+    # Only a log and tables, for no run to go on from
+    left = {name.split("/")[0] for name in set(files(case)) - before}
+    assert left <= {"log.acousticDEMFoam", "postProcessing-dry-run"}
 
 
 def test_one_file_describes_the_chamber(tmp_path):

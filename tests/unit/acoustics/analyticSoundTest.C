@@ -7,6 +7,7 @@
 // what is none.
 
 #include "linearShear.H"
+#include "localSound.H"
 #include "quiescent.H"
 #include "standingWave.H"
 #include "travellingWave.H"
@@ -194,6 +195,26 @@ TEST(quiescent, isAtRestOrMovesUniformly)
         at(quiescent(parse("velocity (1 -2 3);")), 0, {0, 0, 0}),
         Eigen::Vector3d(1, -2, 3)
     );
+}
+
+
+TEST(localSound, seesTheMeanFlowFromItsFrame)
+{
+    const Eigen::Vector3d frame(0.2, 0, -1);
+
+    quiescent wind(parse("velocity (1 -2 3);"));
+    localSound inWind(wind);
+    inWind.move(frame, 0);
+
+    ASSERT_TRUE(inWind.meanFlow());
+    EXPECT_EQ(*inWind.meanFlow(), at(inWind, 5, {1, 2, 3}));
+
+    // Who does not know it, does not know it from there either
+    linearShear shear(parse("shearRate 1;"));
+    localSound inShear(shear);
+    inShear.move(frame, 0);
+
+    EXPECT_FALSE(inShear.meanFlow());
 }
 
 
