@@ -123,6 +123,26 @@ def test_writes_a_row_per_interval(tmp_path, meshed):
     assert list(rows) == sorted(due)
 
 
+def test_names_the_remedy_for_a_time_that_is_not_found(tmp_path, meshed):
+    """OpenFOAM does not try 16 digits if a name has as many in 17 as in 18."""
+    case = prepare(tmp_path/"case", meshed)
+    case.control("timePrecision", "10")
+    case.run("acousticDEMFoam")
+    last = case.times()[-1]
+    name = next(
+        name for name in (f"{float(last) + k*1.2345e-14:.16g}" for k in range(1, 1000))
+        if f"{float(name):.17g}" == f"{float(name):.18g}" != name
+    )
+    (case.path/last).rename(case.path/name)
+    case.control("endTime", repr(60*STEP))
+    log = " ".join(case.run("acousticDEMFoam", status=1).split())
+    assert f"OpenFOAM takes the time {name} for " in log
+    assert "set timePrecision 16" in log
+
+    case.control("timePrecision", "16")
+    assert "Continuing with the" in case.run("acousticDEMFoam")
+
+
 def test_survives_a_kill(tmp_path, meshed):
     """kill -9 in the middle; what was written is complete, and goes on."""
     case = prepare(tmp_path/"case", meshed)
