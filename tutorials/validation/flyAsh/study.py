@@ -158,7 +158,8 @@ class Studies:
         for variant in variants:
             case = {**POINT, "count": self.options.particles,
                     "aspect": self.options.aspect,
-                    "stepsPerPeriod": self.options.steps, **variant}
+                    "stepsPerPeriod": self.options.steps,
+                    "concentration": self.options.concentration, **variant}
             case["count"] = max(case["count"], least_count(case))
             made.append(case)
         return made
@@ -406,6 +407,8 @@ def main():
                         help="in a box, or more if it must be wider")
     parser.add_argument("--aspect", type=float, default=POINT["aspect"],
                         help="height of the box over its width")
+    parser.add_argument("--concentration", type=float,
+                        default=POINT["concentration"], help="[1/m3]")
     parser.add_argument("--time", type=float, default=4, help="[s]")
     parser.add_argument("--levels", type=numbers, help="[dB], such as 140,147")
     parser.add_argument("--frequencies", type=numbers, help="[Hz]")
