@@ -23,6 +23,11 @@ def test_turbulence(stepping):
     measure(f"*turbulentKernel.*/{stepping}")
 
 
+@pytest.mark.parametrize("edge", [500, 1000, 2000])
+def test_turbulence_with_inertia(edge):
+    measure(f"*boxOfFlyAsh.*/of{edge}um")
+
+
 @pytest.mark.parametrize(
     "law",
     [

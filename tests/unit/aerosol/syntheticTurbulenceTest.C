@@ -88,6 +88,22 @@ vec at(const turbulence& eddies, const double t, const vec& x)
 }
 
 
+//- That of the gas as a whole, in a domain of these edges: waves of up to four
+//  cycles have no mean over 5 x 5 x 5 points
+vec asAWhole(const turbulence& eddies, const double t, const vec& edges)
+{
+    vectors x(3, 125);
+    for (int n = 0; n < x.cols(); ++n)
+    {
+        x.col(n) = edges.cwiseProduct(vec(n % 5, n/5 % 5, n/25))/5;
+    }
+
+    vectors u = vectors::Zero(3, x.cols());
+    eddies.add(t, x, u);
+    return u.rowwise().mean();
+}
+
+
 //- Gradient du_i/dx_j, by differences of fourth order
 Eigen::Matrix3d gradientAt
 (
@@ -152,6 +168,12 @@ class turbulentKernel
     public testing::TestWithParam<std::string>
 {};
 
+//- By its edge [m]
+class boxOfFlyAsh
+:
+    public testing::TestWithParam<double>
+{};
+
 } // End anonymous namespace
 
 
@@ -169,6 +191,18 @@ INSTANTIATE_TEST_SUITE_P
 );
 
 
+INSTANTIATE_TEST_SUITE_P
+(
+    turbulence,
+    boxOfFlyAsh,
+    testing::Values(0.5e-3, 1e-3, 2e-3),
+    [](const testing::TestParamInfo<double>& edge)
+    {
+        return "of" + std::to_string(std::lround(1e6*edge.param)) + "um";
+    }
+);
+
+
 TEST(syntheticTurbulence, hasIsotropicGradientsWithoutDivergence)
 {
     // <du_i/dx_j du_p/dx_q> = G^2/30 (4 d_ip d_jq - d_ij d_pq - d_iq d_jp), of
@@ -176,8 +210,10 @@ TEST(syntheticTurbulence, hasIsotropicGradientsWithoutDivergence)
     for (const char* const edges : {"1e-3", "(2.2e-3 1e-3 1.1e-3)"})
     {
         const periodicBox box = boxOf(edges);
-        const auto eddies =
-            turbulenceOf("dissipation 10; timeScale 1e-3; seed 5;", box);
+        const auto eddies = turbulenceOf
+        (
+            "dissipation 10; timeScale 1e-3; accelerationFactor 0; seed 5;", box
+        );
         const double G = std::sqrt(10/nu);
         EXPECT_NEAR(eddies->shearRate(), G, 1e-9*G);
 
@@ -242,7 +278,8 @@ TEST(syntheticTurbulence, hasIsotropicGradientsWithoutDivergence)
 TEST(syntheticTurbulence, isPeriodicAndSmooth)
 {
     const periodicBox box = boxOf("(2e-3 1e-3 3e-3)");
-    const auto eddies = turbulenceOf("dissipation 1; seed 2;", box);
+    const auto eddies =
+        turbulenceOf("dissipation 1; accelerationFactor 0; seed 2;", box);
     const double T = eddies->timeScale();
     EXPECT_NEAR(T, 2.3*std::sqrt(nu), 1e-9*T);
 
@@ -302,13 +339,119 @@ TEST(syntheticTurbulence, isAFunctionOfSeedAndTime)
 }
 
 
+TEST(syntheticTurbulence, acceleratesTheGasAsTurbulenceDoesInAnyBox)
+{
+    // Saffman and Turner: 1.3 epsilon^1.5 nu^-0.5 of each component along the
+    // path of the gas, whatever the size of the box and the waves; and normally
+    // distributed, which the rate of contacts depends on
+    const double G = 200;
+    const double expected = 1.3*nu*G*G*G;
+
+    for
+    (
+        const auto& [edge, wavelength] :
+        std::vector<std::pair<double, double>>
+        {
+            {0.5e-3, 0}, {1e-3, 0}, {2e-3, 0}, {2e-3, 1e-3}, {2e-3, 0.5e-3},
+            {6e-3, 0}
+        }
+    )
+    {
+        const periodicBox box = boxOf(std::to_string(edge));
+        const auto eddies = turbulenceOf
+        (
+            "shearRate 200;"
+          + (
+                wavelength > 0
+              ? " wavelength " + std::to_string(wavelength) + ";"
+              : std::string()
+            ),
+            box
+        );
+
+        // Each time has numbers of its own
+        const int samples = 10000;
+        const int points = 4;
+        const double h = 1e-3/G;
+        randomNumbers random(1);
+        double square = 0;
+        double size = 0;
+        double later = 0;
+        double gradient = 0;
+
+        for (int n = 0; n < samples; ++n)
+        {
+            const double t = 8/G*(n + random.uniform(0, 1));
+
+            for (int k = 0; k < points; ++k)
+            {
+                const vec x = random.point(edge);
+                const vec u = at(*eddies, t, x);
+                const vec after = at(*eddies, t + h, x + h*u);
+                const vec before = at(*eddies, t - h, x - h*u);
+                const vec a = (after - before)/(2*h);
+
+                square += a.squaredNorm()/(3*samples*points);
+                size += a.cwiseAbs().sum()/(3*samples*points);
+
+                if (k == 0)
+                {
+                    gradient +=
+                        gradientAt(*eddies, t, x, 1e-3*edge).squaredNorm()
+                       /samples;
+                }
+            }
+
+            if (n % 5 == 0)
+            {
+                const auto change = [&](const double at)
+                {
+                    const vec edges = vec::Constant(edge);
+
+                    return vec
+                    (
+                        asAWhole(*eddies, at + h, edges)
+                      - asAWhole(*eddies, at - h, edges)
+                    );
+                };
+
+                later +=
+                    change(t).dot(change(t + 2.2/G))/(4*h*h)/(3*samples/5);
+            }
+        }
+
+        const double normal = size/std::sqrt(2/pi*square);
+
+        measured
+        (
+            "box %.2g m, wavelength %.2g: <a^2>/theory %.4f, mean modulus over "
+            "that of a normal distribution %.4f, correlation after 2.2/G %.3f, "
+            "<|grad u|^2> nu/epsilon %.4f\n",
+            edge, wavelength, square/expected, normal, later/expected,
+            gradient/(G*G)
+        );
+
+        // Samples of the gas as a whole depend little on chance, as its
+        // amplitudes are known; of the waves, a quarter at most, each time
+        // has sqrt(2/52)
+        EXPECT_NEAR(square/expected, 1, 0.03);
+        EXPECT_NEAR(normal, 1, 0.015);
+        EXPECT_NEAR(later/expected, 0, 0.1);
+        EXPECT_NEAR(gradient/(G*G), 1, 0.02);
+    }
+}
+
+
 TEST(syntheticTurbulence, disperses)
 {
     // Where it changes much faster than it moves anything, <x^2> = 2 u^2 T t in
     // each direction, with the integral time scale T
     const periodicBox box = boxOf("1e-3");
     const double T = 1e-5;
-    const auto eddies = turbulenceOf("shearRate 500; timeScale 1e-5;", box);
+    const auto eddies = turbulenceOf
+    (
+        "shearRate 500; timeScale 1e-5; accelerationFactor 0;", box
+    );
     const double interval = T/syntheticTurbulence::timeScaleOfInterval;
 
     const int paths = 600;
@@ -434,6 +577,109 @@ TEST_P(turbulentKernel, bringsParticlesTogetherAtSaffmanAndTurnersRate)
 
     EXPECT_LT(error, full() ? 0.03 : 0.08);
     EXPECT_NEAR(contacts/expected, 1, 3*error);
+}
+
+
+TEST_P(boxOfFlyAsh, hasSaffmanAndTurnersRateWithInertia)
+{
+    // Spheres of 2 and 6 um, of 2300 kg/m3, in G = 200/s: by gradients alone
+    // the rate would be a fourteenth
+    const double length = GetParam();
+    if (length > 0.5e-3 && !full())
+    {
+        GTEST_SKIP();
+    }
+
+    const double G = 200;
+    const double diameters[2] = {2e-6, 6e-6};
+    const double density = 2300;
+    const int each = static_cast<int>(std::lround(std::min(1e3*length*2000, 3000.0)));
+    const double h = 0.1/G;
+    const int steps = full() ? 5000 : 500;
+
+    // They pass through one another, and may overlap at the start
+    randomNumbers random(1);
+    std::vector<sphere> spheres;
+    for (int i = 0; i < 2*each; ++i)
+    {
+        spheres.push_back
+        ({
+            i, diameters[i/each], density, length*random.point(0.5), vec::Zero()
+        });
+    }
+
+    settings law;
+    law.stepping = eventDriven;
+    law.contact = "type stick;";
+    law.aggregate = "type none;";
+
+    const std::string edge = std::to_string(length);
+    const periodicBox box = boxOf(edge);
+    experiment gas
+    (
+        arrays(spheres), vec::Constant(length), law,
+        turbulentRest("shearRate 200;", box)
+    );
+
+    // From rest, until they follow the gas
+    gas.run(h, 10);
+    gas.records();
+
+    // Contacts of the first with the second, and of the second, in parts of
+    // time that are nearly independent
+    const int parts = 20;
+    const double volume = length*length*length;
+    Eigen::Array2d sum = Eigen::Array2d::Zero();
+    Eigen::Array2d squares = Eigen::Array2d::Zero();
+
+    for (int part = 0; part < parts; ++part)
+    {
+        gas.run(h, steps/parts);
+
+        Eigen::Array2d K = Eigen::Array2d::Zero();
+        for (const contacts::record& r : gas.records())
+        {
+            const int coarse = (r.id1 >= each) + (r.id2 >= each);
+            if (coarse)
+            {
+                K(coarse - 1) += 1;
+            }
+        }
+
+        K(0) /= double(each)*each;
+        K(1) /= 0.5*each*(each - 1.0);
+        K *= volume/(steps/parts*h);
+        sum += K/parts;
+        squares += K*K/parts;
+    }
+
+    const Eigen::Array2d scatter =
+        ((squares - sum*sum).max(0)/(parts - 1.0)).sqrt();
+
+    const auto theory = [&](const double d1, const double d2)
+    {
+        const double R = 0.5*(d1 + d2);
+        const double slip =
+            relaxationTime(d2, density) - relaxationTime(d1, density);
+
+        return
+            2*std::sqrt(2*pi)*R*R
+           *std::sqrt(R*R*G*G/15 + slip*slip*1.3*nu*G*G*G);
+    };
+    const double unequal = theory(diameters[0], diameters[1]);
+    const double equal = theory(diameters[1], diameters[1]);
+
+    measured
+    (
+        "box %g mm: K/theory %.4f +- %.4f of 2 and 6 um, %.4f +- %.4f of 6 and "
+        "6 um\n",
+        1e3*length, sum(0)/unequal, scatter(0)/unequal, sum(1)/equal,
+        scatter(1)/equal
+    );
+
+    EXPECT_LT(scatter(0)/unequal, full() ? 0.03 : 0.15);
+    EXPECT_NEAR(sum(0)/unequal, 1, 3*scatter(0)/unequal);
+    EXPECT_NEAR(sum(1)/equal, 1, 3*scatter(1)/equal);
 }
 
 

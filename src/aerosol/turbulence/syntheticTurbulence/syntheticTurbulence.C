@@ -8,6 +8,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "checkedEntry.H"
 #include "dimensionSets.H"
+#include "mathematicalConstants.H"
 #include "Switch.H"
 
 #include <Eigen/Dense>
@@ -130,6 +131,37 @@ void sineCosine
 }
 
 
+//- Of the gas as a whole, over G: the acceleration has lost its correlation
+//  after a quarter of a period, 2.2/G
+constexpr double meanFrequency = 5.0/7;
+
+//- Also far out of what makes sense, no number overflows
+Foam::scalar within
+(
+    const Foam::dictionary& dict,
+    const Foam::word& key,
+    const Foam::dimensionSet& dimensions,
+    const Foam::scalar defaultValue,
+    const Foam::scalar least,
+    const Foam::scalar most
+)
+{
+    using namespace Foam;
+
+    const scalar value = readPositive(dict, key, dimensions, defaultValue);
+
+    if (value < least || value > most)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry '" << key << "' of " << dict.name() << " is " << value
+            << ", but must be from " << least << " to " << most
+            << exit(FatalIOError);
+    }
+
+    return value;
+}
+
+
 //- Of the turbulence, or taken from the mean flow
 Foam::scalar readShearRate
 (
@@ -148,18 +180,34 @@ Foam::scalar readShearRate
             << " and 'meanFlow yes' in " << dict.name() << exit(FatalIOError);
     }
 
+    // Of Kolmogorov's eddies: one turn in an age, and the speed of sound
+    const scalar nu = sound.gas().nu();
+    const scalar least = 1e-12;
+    const scalar most = sqr(sound.gas().c)/nu;
+
     if (dict.found("dissipation"))
     {
+        const dimensionSet dimensions(sqr(dimVelocity)/dimTime);
+
         return std::sqrt
         (
-            readPositive(dict, "dissipation", sqr(dimVelocity)/dimTime)
-           /sound.gas().nu()
+            within
+            (
+                dict, "dissipation", dimensions,
+                readPositive(dict, "dissipation", dimensions),
+                nu*sqr(least), nu*sqr(most)
+            )
+           /nu
         );
     }
 
     if (dict.found("shearRate"))
     {
-        return readPositive(dict, "shearRate", dimless/dimTime);
+        return within
+        (
+            dict, "shearRate", dimless/dimTime,
+            readPositive(dict, "shearRate", dimless/dimTime), least, most
+        );
     }
 
     const scalar gradient = sound.flattenMeanFlow();
@@ -179,6 +227,37 @@ Foam::scalar readShearRate
     return gradient;
 }
 
+
+//- a_0, which must be more than what the waves have, or zero
+Foam::scalar readAccelerationFactor
+(
+    const Foam::dictionary& dict,
+    const Foam::scalar ofWaves
+)
+{
+    using namespace Foam;
+
+    const bool ofMeanFlow = dict.lookupOrDefault<Switch>("meanFlow", false);
+
+    const scalar factor =
+        readNonNegative
+        (
+            dict, "accelerationFactor", dimless, ofMeanFlow ? 0 : 1.3
+        );
+
+    if (factor > 100 || (factor > 0 && factor < ofWaves))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'accelerationFactor' of " << dict.name() << " is "
+            << factor << ", but the waves have " << ofWaves << " by themselves,"
+            << " and turbulence 1 to 6: give a shorter 'wavelength', a longer"
+            << " 'timeScale', a factor of " << ofWaves << " to 100, or 0 for"
+            << " waves alone" << exit(FatalIOError);
+    }
+
+    return factor;
+}
+
 } // End anonymous namespace
 
 
@@ -193,6 +272,7 @@ Foam::aerosol::syntheticTurbulence::syntheticTurbulence
 :
     random_(readSeed(dict)),
     speed_(0),
+    acceleration_(0),
     number_(0),
     known_(false),
     time_(0)
@@ -200,21 +280,35 @@ Foam::aerosol::syntheticTurbulence::syntheticTurbulence
     requireOnly
     (
         dict,
-        {"type", "dissipation", "shearRate", "meanFlow", "wavelength",
-         "timeScale", "seed"}
+        {"type", "dissipation", "shearRate", "meanFlow", "accelerationFactor",
+         "wavelength", "timeScale", "seed"}
     );
 
     const scalar nu = sound.gas().nu();
 
     shearRate_ = readShearRate(dict, sound);
 
+    const scalar KolmogorovLength = std::sqrt(nu/shearRate_);
+
     interval_ =
-        readPositive(dict, "timeScale", dimTime, 2.3/shearRate_)
+        within
+        (
+            dict, "timeScale", dimTime, 2.3/shearRate_,
+            1e-3/shearRate_, 1e9/shearRate_
+        )
        /timeScaleOfInterval;
 
     const Eigen::Array3d edges = region.period();
+    const scalar shortest = edges.minCoeff();
+
+    // No more of the acceleration than a part: it is not normally distributed
     const scalar wavelength =
-        readPositive(dict, "wavelength", dimLength, edges.minCoeff());
+        within
+        (
+            dict, "wavelength", dimLength,
+            shortest/min(std::ceil(shortest/(10*KolmogorovLength)), 1e3),
+            1e-4*shortest, GREAT
+        );
 
     perLength_ = (edges/wavelength).round().max(1)/edges;
 
@@ -259,13 +353,25 @@ Foam::aerosol::syntheticTurbulence::syntheticTurbulence
 
     speed_ = std::sqrt(square/3);
 
+    // In units of turbulence, with G for epsilon: no power of it overflows
+    const scalar unit = nu*shearRate_*sqr(shearRate_);
+    const scalar ofWaves =
+        sqr(speed_)/(nu*shearRate_)
+       *(5*sqr(constant::mathematical::pi/(interval_*shearRate_))/14 + 1.0/3);
+    const scalar factor = readAccelerationFactor(dict, ofWaves);
+
+    setOscillations(max(factor - ofWaves, 0)*unit);
+
     std::ostringstream os;
-    os  << "Turbulence: dissipation " << nu*shearRate_*shearRate_
-        << " m2/s3, Kolmogorov length " << std::sqrt(nu/shearRate_)
+    os  << "Turbulence: dissipation " << nu*sqr(shearRate_)
+        << " m2/s3, Kolmogorov length " << KolmogorovLength
         << " m, rms gradient " << shearRate_ << " 1/s\n    as waves of "
         << 1/perLength_(0) << ", " << 1/perLength_(1) << ", "
         << 1/perLength_(2) << " m along the axes, time scale " << timeScale()
-        << " s, " << speed_ << " m/s rms";
+        << " s, " << speed_ << " m/s rms\n    acceleration "
+        << std::sqrt(max(factor, ofWaves)*unit) << " m/s2 rms, with the factor "
+        << max(factor, ofWaves) << ", of which waves have " << ofWaves
+        << ", the gas as a whole " << max(factor - ofWaves, 0);
 
     Info<< os.str().c_str() << endl;
 }
@@ -288,6 +394,27 @@ Foam::aerosol::syntheticTurbulence::drawn(const std::int64_t number) const
     }
 
     return result;
+}
+
+
+void Foam::aerosol::syntheticTurbulence::setOscillations
+(
+    const scalar variance
+)
+{
+    acceleration_ = std::sqrt(2*variance/nOscillations);
+
+    for (int m = 0; m < nOscillations; ++m)
+    {
+        // Block 0 has the numbers of the waves
+        const auto r =
+            random_.uniforms(m, 0, counterRandom::stream::turbulence, 1);
+
+        omega_[m] =
+            shearRate_*meanFrequency*(0.5 + (m + r[0])/nOscillations);
+
+        phase_[m] = 2*EIGEN_PI*Eigen::Vector3d(r[1], r[2], r[3]);
+    }
 }
 
 
@@ -316,6 +443,22 @@ void Foam::aerosol::syntheticTurbulence::setTime(const scalar t) const
     {
         now_.cosine[i] = c*ends_[0].cosine[i] + e*ends_[1].cosine[i];
         now_.sine[i] = c*ends_[0].sine[i] + e*ends_[1].sine[i];
+    }
+
+    velocity_.setZero();
+    displacement_.setZero();
+
+    for (int m = 0; m < nOscillations; ++m)
+    {
+        const scalar speed = acceleration_/omega_[m];
+
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            const scalar angle = omega_[m]*t + phase_[m](axis);
+
+            velocity_(axis) += speed*std::sin(angle);
+            displacement_(axis) -= speed/omega_[m]*std::cos(angle);
+        }
     }
 
     time_ = t;
@@ -352,7 +495,9 @@ void Foam::aerosol::syntheticTurbulence::add
 
             for (Eigen::Index k = 0; k < end; ++k)
             {
-                cycles(k) = perLength_(axis)*x(axis, first + k);
+                cycles(k) =
+                    perLength_(axis)
+                   *(x(axis, first + k) - displacement_(axis));
             }
 
             sineCosine(cycles, s[axis], c[axis]);
@@ -390,7 +535,7 @@ void Foam::aerosol::syntheticTurbulence::add
         {
             for (int axis = 0; axis < 3; ++axis)
             {
-                u(axis, first + k) += sum[axis](k);
+                u(axis, first + k) += sum[axis](k) + velocity_(axis);
             }
         }
     }
