@@ -203,6 +203,29 @@ BAD = {
         "turbulence { type syntheticTurbulence; meanFlow no; }\ndomain",
         "exactly one of 'dissipation' .*, 'shearRate' .* and 'meanFlow yes'",
     ),
+    "turbulenceBeyondNumbers": (
+        AEROSOL, r"domain",
+        "turbulence { type syntheticTurbulence; dissipation 1e300; }\ndomain",
+        "'dissipation' .* is 1e.*300, but must be from .* to",
+    ),
+    "turbulenceOfNoTime": (
+        AEROSOL, r"domain",
+        "turbulence { type syntheticTurbulence; dissipation 1; timeScale 1e-30; }"
+        "\ndomain",
+        "'timeScale' .* is 1e-30, but must be from .* to",
+    ),
+    "turbulenceOfNoLength": (
+        AEROSOL, r"domain",
+        "turbulence { type syntheticTurbulence; dissipation 1;"
+        " wavelength 1e-9; }\ndomain",
+        "'wavelength' .* is 1e-09, but must be from .* to",
+    ),
+    "turbulenceSlowerThanItsWaves": (
+        AEROSOL, r"domain",
+        "turbulence { type syntheticTurbulence; dissipation 1;"
+        " accelerationFactor 1e-3; }\ndomain",
+        "'accelerationFactor' .* is 0.001, but the waves have .* 'wavelength'",
+    ),
     "turbulenceOfAnUnknownMeanFlow": (
         AEROSOL, r"domain",
         "turbulence { type syntheticTurbulence; meanFlow yes; }\ndomain",

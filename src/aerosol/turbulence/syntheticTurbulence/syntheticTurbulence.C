@@ -307,7 +307,7 @@ Foam::aerosol::syntheticTurbulence::syntheticTurbulence
         (
             dict, "wavelength", dimLength,
             shortest/min(std::ceil(shortest/(10*KolmogorovLength)), 1e3),
-            1e-4*shortest, GREAT
+            1e-4*shortest, 1e3
         );
 
     perLength_ = (edges/wavelength).round().max(1)/edges;
