@@ -8,16 +8,21 @@ import math
 import os
 import sys
 
-from paraview import servermanager
-from paraview.simple import (
-    AssignViewToLayout, ColorBy, CreateLayout, CreateView,
-    GetColorTransferFunction, GetScalarBar, Glyph, OpenFOAMReader, Outline,
-    Render, SaveScreenshot, Show, Text,
-)
+try:
+    from paraview import servermanager
+    from paraview.simple import (
+        AssignViewToLayout, ColorBy, CreateLayout, CreateView,
+        GetColorTransferFunction, GetScalarBar, Glyph, OpenFOAMReader, Outline,
+        Render, SaveScreenshot, Show, Text,
+    )
+except ImportError as missing:
+    sys.exit(f"ERROR: {missing}: run bin/renderCloud, which runs this")
 
 LARGEST = 10e-6  # m, of the colours
 
-case, cloud = sys.argv[1:3]
+if len(sys.argv) != 3:
+    sys.exit("ERROR: run bin/renderCloud, which runs this")
+case, cloud = sys.argv[1:]
 marker = os.path.join(case, "case.foam")
 created = not os.path.exists(marker)
 open(marker, "a").close()

@@ -10,11 +10,19 @@ part of the momentum). A standing wave of the frequency w0 in clean gas has
     w^2 (1 + m/(1 - i w tau)) = w0^2,     p ~ exp(-i w t).
 """
 
+import os
 import pathlib
 import re
 import sys
 
-import numpy as np
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.append(os.environ.get("ACOUSTICDEM_DIR", f"{HERE}/../..") + "/bin")
+try:
+    import runTables  # finds a Python that has what follows
+except ImportError:
+    sys.exit("ERROR: first source the environment: . bin/environment")
+
+import numpy as np  # noqa: E402
 
 
 def tube(case):
@@ -28,7 +36,7 @@ def tube(case):
 
 def read(case):
     """Times [s] and pressures [Pa] at the wall."""
-    data = np.loadtxt(case/"postProcessing/history/0/p")
+    data = runTables.series(case/"postProcessing/history", "p")
     return data[:, 0], data[:, 1]
 
 
@@ -73,27 +81,30 @@ def analyse(case, w0=None):
     period = 1/numbers["frequency"]
     guess = 2*np.pi*numbers["frequency"] + 0j
 
+    late = t > 2*period
+    if t[-1] < 4*period:
+        runTables.fail(f"{case} ended after {t[-1]/period:.2g} periods")
+
     if w0 is None:
-        return measure(t[t > 2*period], p[t > 2*period], guess)
+        return measure(t[late], p[late], guess)
 
     s = numbers["omegaTau"]
     tau = s/(2*np.pi*numbers["frequency"])
     w, decay = frequencies(w0, numbers["massLoading"], tau)
-    late = t > 2*period
     return measure(t[late], p[late], w, decay), w
 
 
 def main():
-    import matplotlib
-    matplotlib.use("Agg")
     import matplotlib.pyplot as plt
 
-    here = pathlib.Path(__file__).resolve().parent
-    runs = sorted(here.glob("s[0-9]*/"), key=lambda run: float(run.name[1:]))
+    runs = sorted(
+        (run for run in HERE.glob("s*/") if runTables.is_time(run.name[1:])),
+        key=lambda run: float(run.name[1:]),
+    )
     if not runs:
-        sys.exit("ERROR: there are no runs")
-    w0 = analyse(here/"clean")
-    m = tube(here)["massLoading"]
+        runTables.fail(f"there are no runs in {HERE}: ./Allrun makes them")
+    w0 = analyse(HERE/"clean")
+    m = tube(HERE)["massLoading"]
 
     print("omega tau   damping per period [%]    change of frequency [%]\n"
           "              computed  theory          computed  theory")
@@ -126,8 +137,8 @@ def main():
     left.legend(frameon=False)
     figure.suptitle(f"Sound in an aerosol of {m:g} times the mass of the gas")
     figure.tight_layout()
-    figure.savefig(here/"aerosolAttenuation.png", dpi=150)
-    print(f"Wrote {here/'aerosolAttenuation.png'}")
+    figure.savefig(HERE/"aerosolAttenuation.png", dpi=150)
+    print(f"Wrote {HERE/'aerosolAttenuation.png'}")
 
 
 if __name__ == "__main__":

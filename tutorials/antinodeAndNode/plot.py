@@ -1,15 +1,20 @@
 """Where in a standing wave an aerosol agglomerates; antinodeAndNode.png."""
 
+import os
 import pathlib
 import re
-
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
-import numpy as np
+import sys
 
 case = pathlib.Path(__file__).resolve().parent
+sys.path.append(os.environ.get("ACOUSTICDEM_DIR", f"{case}/../..") + "/bin")
+try:
+    import runTables  # finds a Python that has what follows
+except ImportError:
+    sys.exit("ERROR: first source the environment: . bin/environment")
+
+import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
+
 text = (case/"system/places").read_text()
 NUMBER = {
     name: float(value) for name, value in
@@ -21,13 +26,17 @@ PLACES = {  # in wavelengths
     re.findall(r"^(\w+)\s+#eval\{ ([\d.]+)\*\$wavelength \};", text, re.M)
     if name != "length"
 }
+tables = {
+    name: runTables.joined(runTables.required(case, name, "agglomeration"))[0]
+    for name in PLACES
+}
 u0 = np.sqrt(2)*20e-6*10**(NUMBER["SPL"]/20)/(1.204*NUMBER["soundSpeed"])
 
 figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4))
 print("place          [mm]   u0 [m/s]   particles   efficiency [%]")
 
 for number, (name, place) in enumerate(PLACES.items()):
-    table = np.loadtxt(case/"postProcessing"/name/"0/agglomeration.dat")
+    table = tables[name]
     efficiency = 100*table[:, 3]
     colour = plt.cm.viridis(0.95*number/(len(PLACES) - 1))
     left.plot(1e3*table[:, 0], efficiency, color=colour, label=name)

@@ -11,21 +11,26 @@ Reads the particles of all times, fits the amplitude and the phase of each, and
 prints them beside theory. Writes isolatedParticle.png.
 """
 
+import os
 import re
+import sys
 from pathlib import Path
 
-import matplotlib
-import numpy as np
+CASE = Path(__file__).resolve().parent
+sys.path.append(os.environ.get("ACOUSTICDEM_DIR", f"{CASE}/../..") + "/bin")
+try:
+    import runTables  # finds a Python that has what follows
+except ImportError:
+    sys.exit("ERROR: first source the environment: . bin/environment")
 
-matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
 
 FREQUENCY = 1400.0  # Hz
 LEVEL = 147.0  # dB
 DENSITY, VISCOSITY, SOUND_SPEED, FREE_PATH = 1.204, 1.81e-5, 343.2, 66e-9
 PARTICLE_DENSITY = 2300.0  # kg/m3
 
-CASE = Path(__file__).resolve().parent
 OMEGA = 2*np.pi*FREQUENCY
 U0 = np.sqrt(2)*20e-6*10**(LEVEL/20)/(DENSITY*SOUND_SPEED)
 
@@ -56,15 +61,19 @@ def velocity(d, t):
 def values(file):
     """The numbers of a list in an ascii file of OpenFOAM."""
     body = re.search(r"^\d+\s*\((.*)\)\s*$", file.read_text(), re.M | re.S)
+    if not body:
+        runTables.fail(f"{file} has no list of numbers")
     return np.array(re.sub("[()]", " ", body[1]).split(), float)
 
 
 def read(case):
     """Times, diameters, and velocities along the tube: a row for each time."""
-    times = sorted(
-        (f.parents[2] for f in case.glob("[0-9]*/lagrangian/aerosol/d")),
-        key=lambda folder: float(folder.name),
+    times = runTables.of_times(
+        f.parents[2] for f in case.glob("*/lagrangian/aerosol/d")
     )[1:]  # not the beginning, at rest
+    if len(times) < 3:
+        runTables.fail(f"too few times in {case} have particles: has it been"
+                       " run to its end?")
     clouds = [folder/"lagrangian"/"aerosol" for folder in times]
 
     return (

@@ -4,16 +4,21 @@ Reads what the function object soundPressureLevel has written and the log;
 writes resonantChamber.png.
 """
 
+import os
 import re
+import sys
 from pathlib import Path
 
-import matplotlib
-import numpy as np
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
-
 case = Path(__file__).resolve().parent
+sys.path.append(os.environ.get("ACOUSTICDEM_DIR", f"{case}/../..") + "/bin")
+try:
+    import runTables  # finds a Python that has what follows
+except ImportError:
+    sys.exit("ERROR: first source the environment: . bin/environment")
+
+import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
+
 chamber = dict(
     re.findall(
         r"^(\w+)\s+([-+.\deE]+)\s*;", (case/"system/chamber").read_text(), re.M
@@ -25,10 +30,7 @@ LEVEL = float(chamber["SPL"])  # dB
 SHAPE = 16, int(chamber["cellsAlong"])
 
 # The last time with a field of the level
-time = max(
-    (path.parent for path in case.glob("*/SPL")),
-    key=lambda path: float(path.name),
-)
+time = runTables.last_time(case, "SPL")
 
 
 def cells(name):
@@ -72,13 +74,18 @@ top.set_title(
 )
 
 # The log has a line per period
+log = case/"log.acousticDEMFoam"
+if not log.exists():
+    runTables.fail(f"there is no {log}: has the case been run?")
 history = np.array(
     re.findall(
         r"^Level, period (\d+): ([-+.\de]+) dB at .*, drive ([-+.\de]+) ",
-        (case/"log.acousticDEMFoam").read_text(), re.M,
+        log.read_text(), re.M,
     ),
     dtype=float,
 )
+if not history.size:
+    runTables.fail(f"{log} has no line 'Level, period': the run was too short")
 period, reached, drive = history.T
 bottom.axhspan(LEVEL - 0.1, LEVEL + 0.1, color="C2", alpha=0.4)
 bottom.plot(period, reached, "o-", ms=3, color="k")
@@ -92,4 +99,4 @@ right.set_ylabel("velocity of the loudspeaker / (m/s)", color="C0")
 right.set_ylim(0, None)
 bottom.grid(alpha=0.3)
 
-figure.savefig("resonantChamber.png", dpi=150)
+figure.savefig(case/"resonantChamber.png", dpi=150)

@@ -3,13 +3,19 @@
 Reads what the function objects have written, writes standingWaveTube.png.
 """
 
+import os
+import sys
 from pathlib import Path
 
-import matplotlib
-import numpy as np
+case = Path(__file__).resolve().parent
+sys.path.append(os.environ.get("ACOUSTICDEM_DIR", f"{case}/../..") + "/bin")
+try:
+    import runTables  # finds a Python that has what follows
+except ImportError:
+    sys.exit("ERROR: first source the environment: . bin/environment")
 
-matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
 
 LENGTH = 0.1226  # m
 FREQUENCY = 1400.0  # Hz, of the time axis
@@ -18,7 +24,6 @@ AMPLITUDE = 28.28  # Pa: 120 dB
 DENSITY = 1.2039  # kg/m3
 SOUND_SPEED = 343.25  # m/s
 
-case = Path(__file__).resolve().parent / "postProcessing"
 omega = np.pi*SOUND_SPEED/LENGTH
 k = np.pi/LENGTH
 u0 = AMPLITUDE/(DENSITY*SOUND_SPEED)
@@ -31,15 +36,19 @@ velocity = figure.add_subplot(grid[0, 1])
 history = figure.add_subplot(grid[1, :])
 
 # Along the tube, over half a period
-times = sorted((case/"profile").iterdir(), key=lambda path: float(path.name))
+times = runTables.of_times(case.glob("postProcessing/profile/*"))
+if not times:
+    runTables.fail(f"no profiles in {case}: has the case been run?")
 colours = plt.cm.viridis(np.linspace(0, 0.85, len(times)))
 x = np.linspace(0, LENGTH, 200)
 
 for directory, colour in zip(times, colours):
     t = float(directory.name)
     label = f"{t*FREQUENCY:.3g} periods"
-    p = np.loadtxt(directory/"axis_p.xy")
-    u = np.loadtxt(directory/"axis_U.xy")
+    p = runTables.Table(directory/"axis_p.xy").numbers()
+    u = runTables.Table(directory/"axis_U.xy").numbers()
+    if not p.size or not u.size:
+        runTables.fail(f"the tables of {directory} are empty")
 
     pressure.plot(
         100*x, AMPLITUDE*np.cos(k*x)*np.cos(omega*t), color=colour, lw=1
@@ -59,7 +68,7 @@ velocity.legend(
 )
 
 # Over all periods, near a wall
-series = np.loadtxt(case/"history"/"0"/"p")
+series = runTables.series(case/"postProcessing/history", "p")
 t = series[:, 0]
 cell = 0.5*LENGTH/25
 history.plot(
@@ -80,4 +89,4 @@ figure.suptitle(
     "200 steps per period\nlines: linear theory, symbols: acousticDEMFoam",
     fontsize=10,
 )
-figure.savefig("standingWaveTube.png", dpi=150)
+figure.savefig(case/"standingWaveTube.png", dpi=150)

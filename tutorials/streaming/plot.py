@@ -4,16 +4,21 @@ Reads the fields that the function object soundPressureLevel has written at the
 last time; writes streaming.png.
 """
 
+import os
 import re
+import sys
 from pathlib import Path
 
-import matplotlib
-import numpy as np
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
-
 case = Path(__file__).resolve().parent
+sys.path.append(os.environ.get("ACOUSTICDEM_DIR", f"{case}/../..") + "/bin")
+try:
+    import runTables  # finds a Python that has what follows
+except ImportError:
+    sys.exit("ERROR: first source the environment: . bin/environment")
+
+import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
+
 tube = {
     name: float(value) for name, value in re.findall(
         r"^(\w+)\s+([-+.\deE]+)\s*;", (case/"system/tube").read_text(), re.M
@@ -26,10 +31,7 @@ OMEGA = np.pi*SOUND_SPEED/LENGTH
 DELTA = np.sqrt(2*tube["viscosity"]/tube["density"]/OMEGA)
 
 # The last time with a mean velocity
-time = max(
-    (path.parent for path in case.glob("*/UMean")),
-    key=lambda path: float(path.name),
-)
+time = runTables.last_time(case, "UMean")
 
 
 def cells(name):
@@ -155,7 +157,7 @@ bottom.set(
 bottom.legend(loc="upper right", framealpha=1)
 bottom.grid(alpha=0.3)
 
-figure.savefig("streaming.png", dpi=150)
+figure.savefig(case/"streaming.png", dpi=150)
 
 print(
     f"Velocity amplitude in the middle {u0:.3f} m/s; streaming"

@@ -7,15 +7,21 @@ and `history` a sum (approachTest in doc/verification.md). Of times below a
 period, 5 ms at 200 Hz, much depends on the phase of the sound at the start.
 """
 
+import os
 import pathlib
-
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
-import numpy as np
+import re
+import sys
 
 case = pathlib.Path(__file__).resolve().parent
+sys.path.append(os.environ.get("ACOUSTICDEM_DIR", f"{case}/../..") + "/bin")
+try:
+    import runTables  # finds a Python that has what follows
+except ImportError:
+    sys.exit("ERROR: first source the environment: . bin/environment")
+
+import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
+
 WAKES = {"Oseen": "C0", "ProudmanPearson": "C2", "memory": "C3",
          "history": "C1"}
 DISTANCES = [30, 50, 100, 200]  # um, in the order of the ids of the pairs
@@ -27,18 +33,22 @@ KNOWN = {  # ms, at Hz and um
 
 def meetings(frequency, wake):
     """Times [ms] at which the pairs meet; not a number if they do not."""
-    file = case/f"sweep{frequency}/postProcessing/{wake}/0/contacts.dat"
+    table = runTables.required(case/f"sweep{frequency}", wake, "contacts")[-1]
     times = np.full(len(DISTANCES), np.nan)
-    for line in file.read_text().splitlines():
-        if not line.startswith("#"):
-            time, first, second = line.split()[:3]
-            pair = min(int(first), int(second))//2
-            assert {int(first), int(second)} == {2*pair, 2*pair + 1}
-            times[pair] = 1e3*float(time)
+    for time, *ids in table.numbers([0, 1, 2]):
+        pair = int(min(ids))//2
+        if {*ids} != {2*pair, 2*pair + 1}:
+            runTables.fail(f"{table.file}: spheres of two pairs have met")
+        times[pair] = 1e3*time
     return times
 
 
-frequencies = sorted(int(folder.name[5:]) for folder in case.glob("sweep[0-9]*"))
+frequencies = sorted(
+    int(folder.name[5:]) for folder in case.glob("sweep*")
+    if re.fullmatch(r"sweep\d+", folder.name)
+)
+if not frequencies:
+    runTables.fail(f"there are no runs in {case}: ./Allrun makes them")
 table = {
     wake: np.array([meetings(f, wake) for f in frequencies]) for wake in WAKES
 }

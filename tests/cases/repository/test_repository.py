@@ -1,6 +1,7 @@
 """What the files of the repository have promised."""
 
 import os
+import re
 import subprocess
 from pathlib import Path
 
@@ -54,3 +55,31 @@ def test_tools_explain_themselves(tool):
     )
     assert helped.returncode == 0, helped.stderr
     assert f"Usage: bin/{tool}" in helped.stdout
+
+
+def test_CDPATH_of_the_users_shell_does_not_matter(tmp_path):
+    """`cd bin/..` would look there first, and print where it went."""
+    elsewhere = tmp_path/"bin"
+    elsewhere.mkdir()
+    for CDPATH in (f".:{tmp_path}", str(tmp_path)):
+        shell = subprocess.run(
+            ["bash", "-c", 'CDPATH="$1"; cd() { builtin cd "$@" && echo here; }\n'
+             '. bin/environment && echo "$ACOUSTICDEM_DIR"', "bash", CDPATH],
+            cwd=ROOT, capture_output=True, text=True, check=False,
+        )
+        assert shell.stdout == f"{ROOT}\n"
+
+
+def test_scripts_do_not_use_CDPATH():
+    scripts = [
+        *ROOT.glob("Allw*"), *ROOT.glob("bin/*"), *ROOT.glob("tests/*"),
+        *ROOT.glob("tests/benchmarks/*"), *ROOT.glob("tutorials/*/All*"),
+        ROOT/"tutorials/twoSpheres/sweep",
+    ]
+    texts = {path: path.read_text() for path in scripts if path.is_file()}
+    entering = {path for path, text in texts.items() if 'cd "' in text}
+    assert len(entering) > 20
+    for path in entering:
+        assert re.search(
+            r"(?m)^( *CDPATH= (builtin )?cd |unset CDPATH)", texts[path]
+        ), path

@@ -1,5 +1,6 @@
 """The cases of the study: what varies in them, and running and keeping them."""
 
+import os
 import re
 import shutil
 import subprocess
@@ -9,10 +10,15 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-import numpy as np
-import smoluchowski
-
 HERE = Path(__file__).resolve().parent
+sys.path.append(os.environ.get("ACOUSTICDEM_DIR", f"{HERE.parents[2]}") + "/bin")
+try:
+    import runTables  # finds a Python that has what follows
+except ImportError:
+    sys.exit("ERROR: first source the environment: . bin/environment")
+
+import numpy as np  # noqa: E402
+import smoluchowski  # noqa: E402
 
 # The variants of the models: dictionaries of constant/aerosolProperties in place
 # of those of ALL. A new one is a line here, and --models takes its name.
@@ -144,25 +150,19 @@ def files_of(case, seed, end):
 
 def read_tables(folder):
     """Columns by name of agglomeration.dat, of all runs; later ones count."""
-    rows, names = [], []
-    files = folder.glob("postProcessing/aerosol/*/agglomeration*.dat")
-    for file in sorted(
-        files, key=lambda f: (float(f.parent.name), f.stat().st_mtime)
-    ):
-        new = []
-        for line in file.read_text().splitlines():
-            if line.startswith("#"):
-                names = [re.sub(r"\[.*", "", w) for w in line[1:].split()]
-            elif len(line.split()) == len(names):
-                new.append([float(word) for word in line.split()])
-        if new:
-            rows = [row for row in rows if row[0] < new[0][0] - 1e-9] + new
-    return dict(zip(names, np.array(rows).T)) if rows else {}
+    found = runTables.tables(folder, "aerosol", "agglomeration")
+    if not any(table.rows for table in found):
+        return {}
+    rows, sources = runTables.joined(found)
+    return dict(zip(sources[-1].names(), rows.T))
 
 
 def core_seconds(folder):
     """What a case has taken, with all that interrupted it."""
-    log = (folder/"log.acousticDEMFoam").read_text(errors="replace")
+    log = folder/"log.acousticDEMFoam"
+    if not log.exists():
+        return 0
+    log = log.read_text(errors="replace")
     t = [float(s) for s in re.findall(r"ExecutionTime = ([.\d]+)", log)]
     return sum(a for a, b in zip(t, [*t[1:], 0]) if b < a)
 
@@ -229,6 +229,8 @@ class Runner:
             (folder/name).write_text(text)
 
         self.execute(folder, "acousticDEMFoam")
+        if self.last_time(folder) < 0:
+            raise RuntimeError(f"acousticDEMFoam left no table in {folder}")
         for left in folder.glob("[0-9]*"):
             if self.options.slim:
                 shutil.rmtree(left)

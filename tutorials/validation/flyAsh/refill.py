@@ -116,9 +116,14 @@ class Box:
             np.column_stack([x, d, v, 0*v, 0*v]),
             fmt="%.17g", delimiter=",", header="x,y,z,d,vx,vy,vz", comments="",
         )
-        with (self.folder/"log.acousticDEMFoam").open("w") as log:
-            subprocess.run(["acousticDEMFoam"], cwd=self.folder, stdout=log,
-                           stderr=log, stdin=subprocess.DEVNULL, check=True)
+        name = self.folder/"log.acousticDEMFoam"
+        with name.open("w") as log:
+            done = subprocess.run(
+                ["acousticDEMFoam"], cwd=self.folder, stdout=log, stderr=log,
+                stdin=subprocess.DEVNULL, check=False,
+            )
+        if done.returncode:
+            raise RuntimeError(f"acousticDEMFoam failed: see {name}")
         tables = self.folder/"postProcessing"/"aerosol"/"0"
         t, N = np.loadtxt(tables/"agglomeration.dat", usecols=(0, 1)).T
         contacts = [line.split() for line in
@@ -231,7 +236,10 @@ def study(results, base, seeds, number, periods, jobs):
         file = folder/"course.txt"
         if not file.exists():
             course = run(base, folder, number, periods, seed)
-            np.savetxt(file, course, fmt="%d")
+            # Whole, or not there: also where this is interrupted
+            new = file.with_suffix(".new")
+            np.savetxt(new, course, fmt="%d")
+            new.replace(file)
         return np.loadtxt(file), folder
 
     results.mkdir(parents=True, exist_ok=True)

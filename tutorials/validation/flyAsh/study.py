@@ -23,23 +23,14 @@ import subprocess
 import sys
 from pathlib import Path
 
-try:
-    import matplotlib
-    import numpy as np
-except ImportError as error:
-    # bin/environment has looked for a python3 that has them: try it, once
-    python = os.environ.pop("ACOUSTICDEM_PYTHON", "")
-    if os.path.exists(python):
-        os.execv(python, [python, *sys.argv])
-    sys.exit(f"ERROR: {error} in {sys.executable}: run bin/setup, or set "
-             "ACOUSTICDEM_PYTHON to a python3 with numpy and matplotlib")
+# First, since it finds a Python that has the others
+from cases import MODELS, POINT, Runner, at, least_count
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import capture
+import matplotlib.pyplot as plt
+import numpy as np
 import refill
 import smoluchowski
-from cases import MODELS, POINT, Runner, at, least_count
 
 HERE = Path(__file__).resolve().parent
 
@@ -393,8 +384,22 @@ DEFAULT_MODELS = {
 }
 
 
+def positive(text):
+    value = float(text)
+    if not 0 < value < np.inf:
+        raise ValueError
+    return value
+
+
+def count(text):
+    value = int(text)
+    if value < 1:
+        raise ValueError
+    return value
+
+
 def numbers(text):
-    return [float(word) for word in text.split(",")]
+    return [positive(word) for word in text.split(",")]
 
 
 def main():
@@ -402,21 +407,21 @@ def main():
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter
     )
     parser.add_argument("figure", choices=DEFAULT_MODELS)
-    parser.add_argument("--seeds", type=int, default=5)
-    parser.add_argument("--particles", type=int, default=1000,
+    parser.add_argument("--seeds", type=count, default=5)
+    parser.add_argument("--particles", type=count, default=1000,
                         help="in a box, or more if it must be wider")
-    parser.add_argument("--aspect", type=float, default=POINT["aspect"],
+    parser.add_argument("--aspect", type=positive, default=POINT["aspect"],
                         help="height of the box over its width")
-    parser.add_argument("--concentration", type=float,
+    parser.add_argument("--concentration", type=positive,
                         default=POINT["concentration"], help="[1/m3]")
-    parser.add_argument("--time", type=float, default=4, help="[s]")
+    parser.add_argument("--time", type=positive, default=4, help="[s]")
     parser.add_argument("--levels", type=numbers, help="[dB], such as 140,147")
     parser.add_argument("--frequencies", type=numbers, help="[Hz]")
     parser.add_argument("--models", type=lambda text: text.split(","),
                         help="of: " + " ".join(MODELS))
-    parser.add_argument("--steps", type=int, default=50, help="per period")
-    parser.add_argument("--periods", type=int, default=60, help="of refill")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count(),
+    parser.add_argument("--steps", type=count, default=50, help="per period")
+    parser.add_argument("--periods", type=count, default=60, help="of refill")
+    parser.add_argument("--jobs", type=count, default=os.cpu_count(),
                         help="cases that run at a time")
     parser.add_argument("--results", default=HERE/"results")
     parser.add_argument("--slim", action="store_true",
@@ -432,7 +437,7 @@ def main():
 
     try:
         getattr(Studies(options), options.figure)()
-    except subprocess.CalledProcessError as error:
+    except (subprocess.CalledProcessError, RuntimeError, OSError) as error:
         sys.exit(f"ERROR: {error}")
 
 
