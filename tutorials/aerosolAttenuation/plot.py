@@ -82,7 +82,7 @@ def analyse(case, w0=None):
     guess = 2*np.pi*numbers["frequency"] + 0j
 
     late = t > 2*period
-    if t[-1] < 4*period:
+    if t[-1] < 3.5*period:
         runTables.fail(f"{case} ended after {t[-1]/period:.2g} periods")
 
     if w0 is None:

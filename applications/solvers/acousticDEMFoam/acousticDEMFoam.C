@@ -20,17 +20,47 @@ Description
 
 #include "aerosolClouds.H"
 #include "argList.H"
+#include "caseLock.H"
 #include "columnFvMesh.H"
 #include "functionObjectList.H"
+#include "functionObject.H"
 #include "fvMesh.H"
 #include "mapPolyMesh.H"
 #include "profiling.H"
 #include "progressReport.H"
 #include "soundField.H"
+#include "tableFolder.H"
 #include "Time.H"
 #include "timeSelector.H"
+#include "versionLine.H"
+#include "writtenFiles.H"
+
+#include <csignal>
 
 using namespace Foam;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- FatalIOError if steps are to be adjusted: nothing here would do that
+void requireFixedStep(const Time& runTime)
+{
+    const dictionary& control = runTime.controlDict();
+
+    if (control.getOrDefault("adjustTimeStep", false))
+    {
+        FatalIOErrorInFunction(control.lookup("adjustTimeStep"))
+            << "Entry 'adjustTimeStep' is on, but the fluid step is deltaT"
+            << " throughout: a part of the period of the sound. Set"
+            << " adjustTimeStep off, and deltaT"
+            << exit(FatalIOError);
+    }
+}
+
+} // End anonymous namespace
+
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
@@ -46,22 +76,65 @@ int main(int argc, char *argv[])
 
     #include "addCheckCaseOptions.H"
     #include "setRootCase.H"
+
+    Info<< versionLine() << nl << endl;
+
+    // A limit of the size of files is an error like a full disk, no signal
+    std::signal(SIGXFSZ, SIG_IGN);
+
+    // Until the program ends, by exit as well
+    static const autoPtr<caseLock> lock
+    (
+        args.found("dry-run") ? nullptr : new caseLock(args.globalPath())
+    );
+
     #include "createTime.H"
     #include "createMesh.H"
     #include "createFields.H"
 
-    clouds.begin();
+    writing([&] { clouds.begin(); });
+
+    if (!args.found("dry-run"))
+    {
+        requireWritten(runTime.timePath()/"lagrangian");
+        requireWritten(runTime.timePath()/"uniform");
+    }
 
     Info<< "\nStarting time loop\n" << endl;
 
     while (runTime.run())
     {
+        requireFixedStep(runTime);
+
+        // The state at the end is kept, whatever writeInterval is
+        if
+        (
+            runTime.value() + 1.5*runTime.deltaTValue()
+         >= runTime.endTime().value()
+        )
+        {
+            runTime.writeOnce();
+        }
+
         ++runTime;
 
         sound->advance();
         clouds.evolve();
 
-        runTime.write();
+        if (runTime.writeTime())
+        {
+            bool written = false;
+
+            writing([&] { written = runTime.write(); });
+            requireWritten(runTime.timePath());
+
+            if (!returnReduce(written, andOp<bool>()))
+            {
+                FatalErrorInFunction
+                    << "Cannot write all of " << runTime.timePath()
+                    << ": is the disk full?" << exit(FatalError);
+            }
+        }
 
         if (progress.due())
         {

@@ -5,6 +5,7 @@
 
 #include "soundField.H"
 
+#include "describe.H"
 #include "fvMesh.H"
 #include "IOdictionary.H"
 #include "selectModel.H"
@@ -49,7 +50,7 @@ Foam::autoPtr<Foam::acoustics::soundField> Foam::acoustics::soundField::New
 
     const dictionary& dict = properties.subDict("sound");
 
-    Info<< "Sound: " << dict.get<word>("type") << endl;
+    Info<< "Sound: " << describe(dict).c_str() << endl;
 
     // What the sounds say about themselves is for people, whatever
     // writePrecision is
@@ -66,6 +67,12 @@ Foam::autoPtr<Foam::acoustics::soundField> Foam::acoustics::soundField::New
             dict
         )
     );
+
+    const gasProperties& gas = sound->gas();
+
+    Info<< "Gas: density " << gas.rho << " kg/m3, viscosity " << gas.mu
+        << " Pa s, " << gas.T << " K, sound speed " << gas.c
+        << " m/s, mean free path " << gas.meanFreePath << " m" << nl << endl;
 
     Sout.precision(precision);
 

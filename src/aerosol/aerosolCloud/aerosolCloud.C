@@ -5,6 +5,7 @@
 
 #include "aerosolCloud.H"
 #include "checkedEntry.H"
+#include "describe.H"
 #include "fvMesh.H"
 #include "particleSource.H"
 #include "simplifiedFvMesh.H"
@@ -12,6 +13,7 @@
 #include "vectorEntry.H"
 
 #include <algorithm>
+#include <iomanip>
 #include <sstream>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -100,11 +102,23 @@ Foam::aerosol::aerosolCloud::aerosolCloud
         )
     ),
     nextRow_(0),
+    patience_
+    (
+        readNonNegative
+        (
+            mesh.time().controlDict(),
+            "reportInterval",
+            dimTime,
+            5
+        )
+    ),
     step_(0),
     outgrown_(false),
     isNew_(true)
 {
     cloudFiles::requireExact(mesh_.time());
+
+    timeStepping_->onProgress([this](const scalar share) { report(share); });
 
     if
     (
@@ -150,7 +164,7 @@ Foam::aerosol::aerosolCloud::aerosolCloud
         checkGrowth();
     }
 
-    Info<< summary().c_str() << nl;
+    Info<< summary().c_str() << nl << models().c_str() << nl;
     suitability_.report(particles_);
     Info<< endl;
 
@@ -162,17 +176,25 @@ Foam::aerosol::aerosolCloud::aerosolCloud
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-const Foam::dictionary& Foam::aerosol::aerosolCloud::requireKnownModels
-(
-    const dictionary& dict
-)
+const Foam::wordList& Foam::aerosol::aerosolCloud::modelNames()
 {
-    const wordList known
+    static const wordList names
     ({
         "domain", "particles", "timeStepping", "drag", "unsteadyDrag",
         "gravity", "wake", "Brownian", "contact", "aggregate", "breakage",
         "report", "carried", "coupling", "turbulence"
     });
+
+    return names;
+}
+
+
+const Foam::dictionary& Foam::aerosol::aerosolCloud::requireKnownModels
+(
+    const dictionary& dict
+)
+{
+    const wordList& known = modelNames();
 
     // Other entries are variables of the user
     for (const entry& e : dict)
@@ -629,6 +651,8 @@ void Foam::aerosol::aerosolCloud::evolve()
         return;
     }
 
+    reported_ = clock::now();
+
     // In the mesh, others have to know where everybody is
     const bool settled = travel_->active() || coupling_;
 
@@ -707,6 +731,54 @@ std::string Foam::aerosol::aerosolCloud::summary() const
         << " m, mass concentration " << particles_.m.sum()/volume << " kg/m3";
 
     return os.str();
+}
+
+
+std::string Foam::aerosol::aerosolCloud::models() const
+{
+    std::ostringstream os;
+    std::string without;
+
+    os  << "Models";
+
+    for (const word& name : modelNames())
+    {
+        if (dict_.isDict(name))
+        {
+            os  << "\n    " << std::left << std::setw(13) << name
+                << describe(dict_.subDict(name));
+        }
+        else
+        {
+            without += ' ' + name;
+        }
+    }
+
+    if (!without.empty())
+    {
+        os  << "\n    by default:" << without;
+    }
+
+    return os.str();
+}
+
+
+void Foam::aerosol::aerosolCloud::report(const scalar share)
+{
+    const clock::time_point now = clock::now();
+
+    if
+    (
+        Pstream::master()
+     && std::chrono::duration<scalar>(now - reported_).count() > patience_
+    )
+    {
+        Info<< name() << ": " << label(100*share)
+            << " % of the fluid step to " << mesh_.time().timeName() << " s"
+            << endl;
+
+        reported_ = now;
+    }
 }
 
 

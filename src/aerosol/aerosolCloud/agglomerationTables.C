@@ -5,31 +5,12 @@
 
 #include "agglomerationTables.H"
 
-#include "OSspecific.H"
 #include "Time.H"
 #include "checkedEntry.H"
+#include "tableFolder.H"
 #include "unitConversion.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::autoPtr<Foam::OFstream>
-Foam::aerosol::agglomerationTables::newFile(const word& name) const
-{
-    // writeFile's own suffix, the start time, serves once: the third run from
-    // the same time would replace the second's file
-    const word startTime(Time::timeName(startTime_));
-    const fileName dir(baseFileDir()/prefix_/startTime);
-
-    word free(name);
-
-    for (int run = 2; isFile(dir/free + ".dat"); ++run)
-    {
-        free = name + "_" + Foam::name(run);
-    }
-
-    return createFile(free);
-}
-
 
 void Foam::aerosol::agglomerationTables::writeCount
 (
@@ -50,6 +31,25 @@ void Foam::aerosol::agglomerationTables::writeNumber
 ) const
 {
     os  << tab << setprecision(digits - 1) << setw(digits + addChars) << value;
+}
+
+
+void Foam::aerosol::agglomerationTables::writeTime
+(
+    Ostream& os,
+    const scalar time
+) const
+{
+    // As many digits as tell apart steps far from zero
+    os  << setprecision(15) << setw(16 + addChars) << time;
+}
+
+
+void Foam::aerosol::agglomerationTables::endRow(OFstream& os)
+{
+    // Each by itself: a kill leaves whole rows
+    os  << nl;
+    tableFolder::flush(os);
 }
 
 
@@ -203,30 +203,38 @@ Foam::aerosol::agglomerationTables::agglomerationTables
     // Sets the width of the columns
     writePrecision_ = 10;
 
-    agglomeration_ = newFile("agglomeration");
-    sizes_ = newFile("sizeDistribution");
+    if (!Pstream::master())
+    {
+        return;
+    }
+
+    const tableFolder folder
+    (
+        baseFileDir()/prefix_,
+        Time::timeName(startTime_)
+    );
+
+    const auto open = [&](const word& name)
+    {
+        autoPtr<OFstream> os(folder.open(name));
+        initStream(*os);
+        return os;
+    };
+
+    agglomeration_ = open("agglomeration");
+    writeAgglomerationHeader(*agglomeration_);
+
+    sizes_ = open("sizeDistribution");
+    writeSizesHeader(*sizes_);
 
     if (withContacts)
     {
-        contacts_ = newFile("contacts");
-    }
-
-    if (withBreakages)
-    {
-        breakages_ = newFile("breakages");
-    }
-
-    if (agglomeration_.valid())
-    {
-        writeAgglomerationHeader(*agglomeration_);
-        writeSizesHeader(*sizes_);
-    }
-    if (contacts_.valid())
-    {
+        contacts_ = open("contacts");
         writeContactsHeader(*contacts_);
     }
-    if (breakages_.valid())
+    if (withBreakages)
     {
+        breakages_ = open("breakages");
         writeBreakagesHeader(*breakages_);
     }
 }
@@ -284,7 +292,7 @@ void Foam::aerosol::agglomerationTables::writeRow
         return;
     }
 
-    Ostream& os = *agglomeration_;
+    OFstream& os = *agglomeration_;
 
     // Of a kind that was never there, nothing has agglomerated
     const auto efficiency = [](const label N, const label N0)
@@ -292,7 +300,7 @@ void Foam::aerosol::agglomerationTables::writeRow
         return N0 ? 1 - scalar(N)/N0 : 0;
     };
 
-    os  << setprecision(9) << setw(charWidth()) << time;
+    writeTime(os, time);
     writeCount(os, now.size);
     writeNumber(os, now.size/volume);
     writeNumber(os, efficiency(now.size, N0));
@@ -306,7 +314,7 @@ void Foam::aerosol::agglomerationTables::writeRow
     writeNumber(os, now.momentum.x(), 16);
     writeNumber(os, now.momentum.y(), 16);
     writeNumber(os, now.momentum.z(), 16);
-    os  << endl;
+    endRow(os);
 }
 
 
@@ -321,14 +329,14 @@ void Foam::aerosol::agglomerationTables::writeSizes
         return;
     }
 
-    Ostream& os = *sizes_;
+    OFstream& os = *sizes_;
 
-    os  << setprecision(9) << setw(charWidth()) << time;
+    writeTime(os, time);
     for (const std::int64_t count : aerosolStatistics::histogram(d, edges_))
     {
         writeCount(os, count);
     }
-    os  << endl;
+    endRow(os);
 }
 
 
@@ -342,11 +350,11 @@ void Foam::aerosol::agglomerationTables::writeContacts
         return;
     }
 
-    Ostream& os = *contacts_;
+    OFstream& os = *contacts_;
 
     for (const contacts::record& contact : met)
     {
-        os  << setprecision(9) << setw(charWidth()) << contact.time;
+        writeTime(os, contact.time);
         writeCount(os, contact.id1);
         writeCount(os, contact.id2);
         writeNumber(os, contact.d1);
@@ -358,10 +366,8 @@ void Foam::aerosol::agglomerationTables::writeContacts
             os,
             contact.merged ? "stick" : contact.bounced ? "bounce" : "none"
         );
-        os  << nl;
+        endRow(os);
     }
-
-    os.flush();
 }
 
 
@@ -375,21 +381,19 @@ void Foam::aerosol::agglomerationTables::writeBreakages
         return;
     }
 
-    Ostream& os = *breakages_;
+    OFstream& os = *breakages_;
 
     for (const breakages::record& one : broken)
     {
-        os  << setprecision(9) << setw(charWidth()) << one.time;
+        writeTime(os, one.time);
         writeCount(os, one.id);
         writeCount(os, one.newId);
         writeNumber(os, one.d);
         writeNumber(os, one.dNew);
         writeCount(os, one.primaries);
         writeCount(os, one.primariesNew);
-        os  << nl;
+        endRow(os);
     }
-
-    os.flush();
 }
 
 

@@ -8,6 +8,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "checkedEntry.H"
 #include "soundLevel.H"
+#include "tableFolder.H"
 #include "volFields.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -326,22 +327,30 @@ void Foam::functionObjects::soundPressureLevel::calculate()
 
     if (Pstream::master() && writeToFile())
     {
-        if (!writtenHeader_)
+        if (!table_)
         {
-            writeTableHeader(file());
+            table_ = tableFolder
+            (
+                baseFileDir()/prefix_,
+                Time::timeName(startTime_)
+            ).open(typeName);
+
+            initStream(*table_);
+            writeTableHeader(*table_);
         }
 
-        file()
-            << p_->end() << token::TAB
-            << label(std::lround(p_->end()*frequency_));
+        OFstream& os = *table_;
+
+        // As many digits of the time as tell apart periods far from zero
+        os  << setprecision(15) << p_->end() << setprecision(writePrecision_)
+            << token::TAB << label(std::lround(p_->end()*frequency_));
         for (const scalar value : row)
         {
-            file() << token::TAB << value;
+            os  << token::TAB << value;
         }
-        file() << endl;
+        os  << nl;
+        tableFolder::flush(os);
     }
-
-    writtenHeader_ = true;
 }
 
 
@@ -355,7 +364,7 @@ Foam::functionObjects::soundPressureLevel::soundPressureLevel
 )
 :
     fvMeshFunctionObject(name, runTime, dict),
-    writeFile(obr_, name, typeName, dict),
+    writeFile(obr_, name, typeName),
     frequency_(0),
     nHarmonics_(0),
     writeCoefficients_(false),
@@ -405,10 +414,11 @@ bool Foam::functionObjects::soundPressureLevel::read(const dictionary& dict)
     }
 
     // Changed while running: the columns may have changed, too
-    if (writtenHeader_)
+    table_.reset(nullptr);
+
+    if (Pstream::master() && writeToFile())
     {
-        resetFile(typeName);
-        writtenHeader_ = false;
+        tableFolder::require(baseFileDir());
     }
 
     // The state at the start belongs to the first period

@@ -2,6 +2,7 @@
 
 import os
 import re
+import shutil
 import subprocess
 
 import pytest
@@ -133,3 +134,70 @@ def test_one_file_describes_the_chamber(tmp_path):
     assert float(piston.split()[-1]) == pytest.approx(0.4840, rel=1e-3)
     centre = value("constant/aerosolProperties", "domain/centre")
     assert "0.128687" in centre
+
+
+FIELDS = sorted(ROOT.glob("tutorials/*/0.orig"))
+
+
+def parsed_by_ParaView(file, case):
+    """A file and what it includes, as ParaView reads them: it knows $FOAM_CASE,
+    but not ${...}, and passes over a file that is not there if it may."""
+    text = re.sub(r"(?s)//[^\n]*|/\*.*?\*/", "", file.read_text())
+    for directive, name in re.findall(r'(?m)^\s*#(\w+)\s*(?:"([^"]*)")?', text):
+        other = case/name.replace("$FOAM_CASE/", "")
+        if directive == "include":
+            text += parsed_by_ParaView(other, case)
+        elif other.is_file():
+            assert directive == "includeIfPresent", f"{file}: #{directive}"
+            text += parsed_by_ParaView(other, case)
+    return text
+
+
+@pytest.mark.parametrize("fields", FIELDS, ids=lambda f: f.parent.name)
+def test_others_can_read_the_fields_at_the_start(fields):
+    """No arithmetics, and each variable has a value."""
+    for file in fields.iterdir():
+        text = parsed_by_ParaView(file, fields.parent)
+        directives = set(re.findall(r"#(\w+)", text))
+        assert directives <= {"include", "includeIfPresent"}, file
+        for name in re.findall(r"\$(\w+)(?=\s*;)", text):
+            assert re.search(rf"(?m)^\s*{name}\s", text), f"{file}: ${name}"
+
+
+def test_ParaView_reads_the_fields_at_the_start(tmp_path):
+    if not (shutil.which("pvpython") and shutil.which("xvfb-run")):
+        pytest.skip("ParaView is not installed")
+    cases = []
+    for fields in FIELDS:
+        case = FoamCase(fields.parent.name, tmp_path/fields.parent.name)
+        case.run("blockMesh")
+        (case.path/"case.foam").touch()
+        cases.append(str(case.path))
+    script = tmp_path/"read.py"
+    script.write_text("""
+import sys
+from paraview import servermanager
+from paraview.simple import OpenFOAMReader
+
+for case in sys.argv[1:]:
+    reader = OpenFOAMReader(FileName=case + "/case.foam")
+    reader.SkipZeroTime = 0
+    reader.Refresh()
+    reader.UpdatePipelineInformation()
+    reader.MeshRegions = ["internalMesh"]
+    reader.CellArrays = ["p", "T", "U"]
+    reader.UpdatePipeline(0)
+    data = servermanager.Fetch(reader).GetBlock(0).GetCellData()
+    names = [data.GetArrayName(i) for i in range(data.GetNumberOfArrays())]
+    print("FIELDS", *sorted(names))
+""")
+    environment = {key: value for key, value in os.environ.items()
+                   if key != "PYTHONPATH"}
+    environment["PATH"] = "/usr/bin:" + environment["PATH"]
+    read = subprocess.run(
+        ["xvfb-run", "-a", "pvpython", script, *cases], env=environment,
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+        check=False,
+    ).stdout
+    assert read.count("FIELDS T U p") == len(cases) > 3, read
+    assert "ERR|" not in read, read

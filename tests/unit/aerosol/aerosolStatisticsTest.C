@@ -326,7 +326,7 @@ TEST(agglomerationTables, rowsAreReadable)
         value[names[k + 1]] = row[k];
     }
 
-    EXPECT_EQ(value["time[s]"], "3.333333333e-01");
+    EXPECT_EQ(value["time[s]"], "3.333333333333333e-01");
     EXPECT_EQ(value["particles"], "3");
     EXPECT_EQ(value["concentration[1/m3]"], "3.000000000e+09");
     EXPECT_EQ(value["efficiency"], "7.500000000e-01");

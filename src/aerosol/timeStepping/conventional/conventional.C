@@ -62,6 +62,8 @@ void Foam::aerosol::conventional::advance
         gasStep gas = sampleGas(p, ts, h/n);
 
         nestedSteps(p, gas, ts, h/n, 1, 1, s);
+
+        progressed(scalar(s + 1)/n);
     }
 }
 

@@ -380,6 +380,11 @@ void Foam::aerosol::timeStepping::nestedSteps
             remove(gas.u1, absorbed);
             listed = false;
         }
+
+        if (nParticle > 1)
+        {
+            progressed(scalar(s + 1)/nParticle);
+        }
     }
 
     settle(p);

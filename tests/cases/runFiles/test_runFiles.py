@@ -1,0 +1,320 @@
+"""What surrounds a run: its tables, its lock, a disk that is full, its log."""
+
+import fcntl
+import os
+import re
+import signal
+import subprocess
+import time
+
+import numpy as np
+import pytest
+from foamcase import ROOT, FoamCase
+
+SOLVER = "acousticDEMFoam"
+LOCK = "acousticDEMFoam.lock"
+
+
+def short(box, steps=10, interval=1000):
+    """So many steps of 5 us, with a row for each."""
+    box.control("deltaT", "5e-6")
+    box.control("endTime", f"#eval{{ 5e-6*{steps} }}")
+    box.control("writeInterval", str(interval))
+    file = box.path/"constant/aerosolProperties"
+    if "report" not in file.read_text():
+        with file.open("a") as out:
+            out.write("report { interval 5e-6; contacts no; }\n")
+    return box
+
+
+def flat(log):
+    """In one line, and file names without the quotes of some versions."""
+    return " ".join(log.replace('"', "").split())
+
+
+def anew(box):
+    for time_ in box.times():
+        subprocess.run(["rm", "-r", box.path/time_], check=True)
+
+
+def rows(file):
+    lines = file.read_text().splitlines()
+    return [line.split() for line in lines if not line.startswith("#")]
+
+
+def run_number(file):
+    return int(re.match(r"# Run : (\d+)\n", file.read_text())[1])
+
+
+def test_each_run_has_tables_of_one_number(box):
+    """Contacts are asked for in the second run only: contacts_2.dat."""
+    short(box).run(SOLVER)
+    for k, contacts in ((2, "yes"), (3, "no")):
+        anew(box)
+        box.replace("constant/aerosolProperties", "contacts (yes|no)",
+                    f"contacts {contacts}")
+        box.run(SOLVER)
+
+    # A restart, whose time has no tables yet
+    box.control("endTime", "1e-4")
+    box.run(SOLVER)
+    tables = box.path/"postProcessing/aerosol"
+    runs = {
+        str(file.relative_to(tables)): run_number(file)
+        for file in tables.glob("*/*")
+    }
+    assert runs == {
+        "0/agglomeration.dat": 1, "0/sizeDistribution.dat": 1,
+        "0/agglomeration_2.dat": 2, "0/sizeDistribution_2.dat": 2,
+        "0/contacts_2.dat": 2,
+        "0/agglomeration_3.dat": 3, "0/sizeDistribution_3.dat": 3,
+        "5e-05/agglomeration.dat": 4, "5e-05/sizeDistribution.dat": 4,
+    }
+
+
+def test_a_row_that_is_cut_off_is_removed_by_the_next_run(box):
+    short(box).run(SOLVER)
+    file = box.path/"postProcessing/aerosol/0/agglomeration.dat"
+    whole = file.read_bytes()
+    file.write_bytes(whole[:-60])
+    box.control("endTime", "1e-4")
+    assert "which was cut off" in flat(box.run(SOLVER))
+    assert file.read_bytes() == whole[:whole[:-1].rindex(b"\n") + 1]
+
+
+def test_times_far_from_zero_have_enough_digits(box):
+    short(box)
+    box.control("startTime", "1500000")
+    box.control("endTime", "1500000.00005")
+    box.control("writeInterval", "1")
+    (box.path/"1500000").mkdir()
+    box.run(SOLVER)
+    for name in ("agglomeration", "sizeDistribution"):
+        table = box.path/f"postProcessing/aerosol/1500000/{name}.dat"
+        times = np.array([row[0] for row in rows(table)], float)
+        assert times == pytest.approx(1.5e6 + 5e-6*np.arange(11), abs=1e-9)
+
+
+@pytest.mark.parametrize("link", ["postProcessing", "postProcessing/aerosol"])
+def test_a_link_to_nowhere_is_named(box, link):
+    short(box)
+    (box.path/link).parent.mkdir(exist_ok=True)
+    (box.path/link).symlink_to("/nowhere/at/all")
+    log = flat(box.run("timeout", "60", SOLVER, status=1))
+    assert f"{link} is a link to a folder that is not there" in log
+
+
+def test_a_file_in_the_way_is_named(box):
+    box.write("postProcessing", "")
+    log = flat(short(box).run(SOLVER, status=1))
+    assert "postProcessing is a file where a folder has to be" in log
+
+
+def tube(directory, periods, *edits):
+    case = FoamCase("standingWaveTube", directory)
+    case.replace(
+        "system/controlDict", r"functions\s*\{",
+        "functions { level { type soundPressureLevel; frequency 1400;"
+        " libs (acousticDEMFunctionObjects); writeControl writeTime; }",
+    )
+    case.replace("system/controlDict", r"10\.0/", f"{periods}.0/")
+    case.replace("system/controlDict", "stepsPerPeriod +200",
+                 "stepsPerPeriod 50")
+    for edit in edits:
+        case.replace(*edit)
+    case.run("blockMesh")
+    case.run("setExprFields")
+    return case
+
+
+def test_levels_of_each_run_are_kept(tmp_path):
+    case = tube(tmp_path/"case", 3)
+    for periods in (3, 4, 2):
+        for folder in case.path.glob("0.[0-9]*"):
+            if folder.name != "0.orig":
+                subprocess.run(["rm", "-r", folder], check=True)
+        case.replace("system/controlDict", r"endTime .*",
+                     f"endTime #eval{{ {periods}.0/1400 }};")
+        case.run(SOLVER)
+    folder = case.path/"postProcessing/level/0"
+    assert [len(rows(folder/f"soundPressureLevel{k}.dat"))
+            for k in ("", "_2", "_3")] == [3, 4, 2]
+
+
+def test_levels_far_from_zero(tmp_path):
+    """Times of periods that six digits do not tell apart."""
+    case = tube(
+        tmp_path/"case", 3,
+        ("system/controlDict", "endTime .*",
+         "endTime #eval{ 15000 + 3.0/1400 };"),
+        ("system/controlDict", "startTime .*", "startTime 15000;"),
+    )
+    (case.path/"0").rename(case.path/"15000")
+    case.run(SOLVER)
+    table = case.path/"postProcessing/level/15000/soundPressureLevel.dat"
+    times = np.array([row[0] for row in rows(table)], float)
+    assert np.diff(times) == pytest.approx(1/1400, rel=1e-6)
+
+
+# The lock
+
+def locked(box):
+    file = (box.path/LOCK).open("w")
+    file.write("process 123 on another\n")
+    file.flush()
+    fcntl.flock(file, fcntl.LOCK_EX)
+    return file
+
+
+def test_a_second_solver_is_refused(box):
+    box.exact_numbers()
+    short(box)
+    with locked(box):
+        log = flat(box.run(SOLVER, status=1))
+        assert "process 123 on another" in log
+        assert not (box.path/"postProcessing").exists()
+        parallel = flat(
+            box.run("bash", "-c", "mpirun -np 2 acousticDEMFoam -parallel",
+                    status=1)
+        ) if (box.path/"processor0").exists() else log
+        assert "process 123 on another" in parallel
+
+        # What changes nothing may be done
+        assert "\nEnd\n" in box.run(SOLVER, "-dry-run")
+        assert "\nEnd\n" in box.run(SOLVER, "-postProcess")
+
+    # Whoever had the lock is gone: the file alone locks nothing
+    assert "has not ended well" in flat(box.run(SOLVER))
+    assert not (box.path/LOCK).exists()
+
+
+def test_ranks_lock_the_case_once(box):
+    """And one that is locked refuses them."""
+    short(box)
+    box.run_on(2)
+    assert not (box.path/LOCK).exists()
+    with locked(box):
+        log = box.run("mpirun", "--oversubscribe", "-np", 2, SOLVER,
+                      "-parallel", status=1)
+        assert "process 123 on another" in flat(log)
+
+
+def test_a_kill_leaves_no_lock(box):
+    short(box, 1000000)
+    with (box.path/"log").open("w") as log:
+        run = subprocess.Popen(
+            [f"{os.environ['ACOUSTICDEM_APPBIN']}/{SOLVER}"], cwd=box.path,
+            stdout=log, stderr=subprocess.STDOUT,
+        )
+        try:
+            end = time.monotonic() + 60
+            table = box.path/"postProcessing/aerosol/0/agglomeration.dat"
+            while not table.exists() and time.monotonic() < end:
+                time.sleep(0.05)
+            assert f"process {run.pid} on" in (box.path/LOCK).read_text()
+            assert "Another" in box.run(SOLVER, status=1)
+        finally:
+            run.send_signal(signal.SIGKILL)
+            run.wait()
+    short(box)
+    log = box.run(SOLVER)
+    assert log.rstrip().endswith("End")
+    assert "FOAM Warning" not in log.rsplit("Another", 1)[1]
+
+
+def test_a_lock_that_cannot_be_written_is_told(box):
+    (box.path/LOCK).mkdir()
+    log = flat(short(box).run(SOLVER))
+    assert "would not be noticed" in log
+
+
+# A full disk: a limit of the size of files is its like
+
+def limited(box, kilobytes):
+    return flat(box.run(
+        "bash", "-c", f"ulimit -f {kilobytes}; exec {SOLVER} >log.{SOLVER} 2>&1",
+        status=1,
+    ) + (box.path/f"log.{SOLVER}").read_text())
+
+
+def test_a_full_disk_is_told_of_particles(box):
+    log = limited(short(box), 5)
+    assert re.search(r"Cannot write all of \S*/0/lagrangian/aerosol/\w+: it has"
+                     r" reached the limit of the size of files", log)
+
+
+def test_a_full_disk_is_told_of_tables(box):
+    box.particles([((0.0613, 0, 0), 2e-6)])
+    log = limited(short(box, 1000, 100000), 20)
+    assert re.search(r"Cannot write to \S*/agglomeration.dat: File too large",
+                     log)
+
+
+@pytest.mark.parametrize("kilobytes", [4, 5, 6])
+def test_a_full_disk_is_told_of_fields(tmp_path, kilobytes):
+    """Also if only the end of a file is missing, which OpenFOAM does not see"""
+    case = tube(
+        tmp_path/"case", 1,
+        ("system/blockMeshDict", r"\(25 1 1\)", "(200 1 1)"),
+        ("system/controlDict", r"(?s)functions\s*\{.*\n\}", ""),
+        ("system/controlDict", r"endTime .*", "endTime 2e-5;"),
+        ("system/controlDict", r"deltaT .*", "deltaT 1e-5;"),
+        ("system/controlDict", r"writeInterval .*", "writeInterval 2;"),
+    )
+    log = limited(case, kilobytes)
+    assert re.search(r"Cannot write all of \S*/2e-05/\w+: it has reached", log)
+
+
+# The log, and when it is written
+
+def test_the_log_begins_with_version_and_models(box):
+    log = short(box).run(SOLVER)
+    version = re.search(r"(?m)^version: (\S+)", (ROOT/"CITATION.cff").read_text())[1]
+    changes = (ROOT/"CHANGELOG.md").read_text()
+    assert version in re.search(r"(?m)^## .*", changes)[0]
+    begin = log.index(f"acousticDEM {version}")
+    assert begin < log.index("Create time")
+    assert re.search(r"(?m)^Sound: standingWave; frequency 1400; SPL 147;", log)
+    assert re.search(r"(?m)^Gas: density 1.204 kg/m3, ", log)
+    for line in (
+        "drag         Stokes; slipCorrection Cunningham;",
+        "wake         Oseen; range 20;",
+        "timeStepping multipleTimeStep; kp 1; kc 0.1;",
+        "particles    distribution; density 2300; size { lognormal; median",
+        "by default: unsteadyDrag Brownian breakage carried coupling turbulence",
+    ):
+        assert f"\n    {line}" in log
+
+
+@pytest.mark.parametrize("model", [
+    "type conventional; kc 0.01;", "type multipleTimeStep; kp 0.01; kc 0.1;"
+])
+def test_long_steps_report(box, model):
+    box.model("timeStepping", model)
+    short(box, 1).control("deltaT", "2e-5")
+    box.control("endTime", "2e-5")
+    with (box.path/"system/controlDict").open("a") as out:
+        out.write("reportInterval 0;\n")
+    shares = re.findall(r"aerosol: (\d+) % of the fluid step to 2e-05 s",
+                        box.run(SOLVER))
+    assert len(shares) > 5
+    assert shares == sorted(shares, key=int)
+
+
+def test_the_end_is_written(box):
+    """Seven steps, written each five; and on to twelve."""
+    short(box, 7, 5).run(SOLVER)
+    assert [round(float(t)/5e-6) for t in box.times()] == [0, 5, 7]
+    box.control("endTime", "6e-5")
+    assert "of time 3.5e-05" in flat(box.run(SOLVER))
+    assert [round(float(t)/5e-6) for t in box.times()] == [0, 5, 7, 10, 12]
+
+
+def test_steps_that_are_to_be_adjusted_are_refused(box):
+    file = short(box).path/"system/controlDict"
+    file.write_text(file.read_text() + "adjustTimeStep yes;\n")
+    line = file.read_text().splitlines().index("adjustTimeStep yes;") + 1
+    log = flat(box.run(SOLVER, status=1))
+    assert "'adjustTimeStep' is on" in log and f"at line {line}" in log
+    box.control("adjustTimeStep", "no")
+    box.run(SOLVER)
