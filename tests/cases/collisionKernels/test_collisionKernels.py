@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from aerosoltheory import DENSITY, relaxation_time
+from aerosoltheory import DENSITY, VISCOSITY, relaxation_time
 
 TOOL = Path(__file__).resolve().parents[3]/"bin"/"collisionKernels"
 
@@ -25,19 +25,19 @@ STEPS = 40
 END = float(f"{0.95*LENGTH/np.ptp(SPEED):.4g}")
 
 
-def apart(r):
-    return r - LENGTH*np.round(r/LENGTH)
+def apart(r, length=LENGTH):
+    return r - length*np.round(r/length)
 
 
-def aerosol():
+def aerosol(number=NUMBER, length=LENGTH, diameters=DIAMETERS):
     """Positions and sizes (0 or 1) of particles, none of which overlap."""
     random = np.random.default_rng(3)
-    x = LENGTH*(random.random((2*NUMBER, 3)) - 0.5)
-    size = np.repeat([0, 1], NUMBER)
-    d = DIAMETERS[size]
+    x = length*(random.random((2*number, 3)) - 0.5)
+    size = np.repeat([0, 1], number)
+    d = diameters[size]
     keep = np.ones(len(x), bool)
     for i in range(len(x)):
-        r = np.linalg.norm(apart(x[:i] - x[i]), axis=1)
+        r = np.linalg.norm(apart(x[:i] - x[i], length), axis=1)
         keep[i] = not (keep[:i] & (r <= 0.5001*(d[:i] + d[i]))).any()
     return x[keep], size[keep]
 
@@ -84,31 +84,38 @@ def contact_rows(path):
     ]
 
 
-def test_settling(box):
-    x, size = aerosol()
+def pass_through_one_another(box, length, x, d, speed, end, steps, more=""):
+    """A run in still gas of particles that fall at these speeds at first."""
     rows = [
-        f"{a:.17g},{b:.17g},{c:.17g},{DIAMETERS[k]:.17g},0,0,{-SPEED[k]:.17g}"
-        for (a, b, c), k in zip(CENTRE + x, size)
+        f"{a:.17g},{b:.17g},{c:.17g},{diameter:.17g},0,0,{-v:.17g}"
+        for (a, b, c), diameter, v in zip(CENTRE + x, d, speed)
     ]
     box.write("particles.csv", "\n".join(["x,y,z,d,vx,vy,vz", *rows]) + "\n")
     box.model(
         "particles", 'density 2300;\nsource list;\nfile "particles.csv";'
     )
     box.model("domain", "type periodicBox; centre (0.0613 0 0);"
-              f" length {LENGTH};")
+              f" length {length};")
     box.model("timeStepping", "type eventDriven;")
     box.model("wake", "type none;")
     box.model("aggregate", "type none;")
     with (box.path/"constant/aerosolProperties").open("a") as file:
-        file.write("report { contacts yes; }\n")
+        file.write("report { contacts yes; }\n" + more)
     box.replace(
         "constant/acousticProperties", r"(?s)type.*antinode", "type quiescent;"
     )
 
-    box.control("deltaT", f"{END/STEPS:.17g}")
-    box.control("writeInterval", str(STEPS))
-    box.control("endTime", f"{END:.17g}")
+    box.control("deltaT", f"{end/steps:.17g}")
+    box.control("writeInterval", str(steps))
+    box.control("endTime", f"{end:.17g}")
     box.run("acousticDEMFoam")
+
+
+def test_settling(box):
+    x, size = aerosol()
+    pass_through_one_another(
+        box, LENGTH, x, DIAMETERS[size], SPEED[size], END, STEPS
+    )
 
     met, outcomes = contact_rows(
         box.path/"postProcessing/aerosol/0/contacts.dat"
@@ -148,6 +155,31 @@ def test_settling(box):
     # Those of the same size never meet
     assert len(kernels(text)) == 1
     assert text.count("<") == 2
+
+
+def test_inertia_in_turbulence(box):
+    """Saffman and Turner's rate for fly ash."""
+    length, G, end = 0.5e-3, 200, 0.25
+    diameters = np.array([2e-6, 6e-6])
+    x, size = aerosol(1000, length, diameters)
+    box.model("gravity", "type none;")
+    pass_through_one_another(
+        box, length, x, diameters[size], 0*size, end, round(end*G/0.2),
+        f"turbulence {{ type syntheticTurbulence; shearRate {G}; }}\n",
+    )
+
+    text = run_tool(box.path, "--classes", "1e-6,3e-6,9e-6")
+    print(text)
+    _, K, error = max(kernels(text))  # those of different size, mostly
+    a = np.sqrt(1.3*VISCOSITY/DENSITY*G**3)
+    R = diameters.mean()
+    slip = a*np.ptp(relaxation_time(diameters))
+    theory = 2*np.sqrt(2*np.pi)*R**2*np.hypot(slip, R*G/np.sqrt(15))
+    # The modulus of an acceleration, which loses its correlation within 2/G
+    error = np.hypot(error, K*np.sqrt(3*np.pi/8 - 1)*np.sqrt(2/(G*end)))
+    print(f"K {K:.4g} +- {error:.2g}, theory {theory:.4g} m3/s")
+    assert error < 0.12*K
+    assert K == pytest.approx(theory, abs=3*error)
 
 
 def test_contacts_are_not_kept_unless_asked_for(box):
