@@ -157,13 +157,13 @@ Foam::acoustics::harmonicFlow::read
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalar Foam::acoustics::harmonicFlow::largestSpeed() const
+Foam::scalar Foam::acoustics::harmonicFlow::largestAmplitude() const
 {
     scalar largest = 0;
 
     forAll(terms_[0], celli)
     {
-        scalar speed = mag(terms_[0][celli]);
+        scalar speed = 0;
         for (label k = 1; k <= nHarmonics(); ++k)
         {
             speed += peak(terms_[2*k - 1][celli], terms_[2*k][celli]);
@@ -173,6 +173,12 @@ Foam::scalar Foam::acoustics::harmonicFlow::largestSpeed() const
     reduce(largest, maxOp<scalar>());
 
     return largest;
+}
+
+
+Foam::scalar Foam::acoustics::harmonicFlow::largestMean() const
+{
+    return std::sqrt(gMax(magSqr(terms_[0])()));
 }
 
 
@@ -301,6 +307,31 @@ Foam::acoustics::harmonicFlow::atNodes
         m.u += factor[i]*r.terms[i];
     }
     return m.u;
+}
+
+
+Eigen::Matrix3Xcd Foam::acoustics::harmonicFlow::harmonics
+(
+    const label number,
+    const Eigen::Vector3d& x
+) const
+{
+    const region& r = regions_[number];
+    const Eigen::Matrix3Xd point(x);
+
+    Eigen::Matrix3Xcd u(3, nHarmonics());
+    Eigen::Matrix3Xd term;
+
+    for (label k = 1; k <= nHarmonics(); ++k)
+    {
+        // a cos + b sin = Re((a - ib) exp)
+        sampler(number).lattice().interpolate(r.terms[2*k - 1], point, term);
+        u.col(k - 1).real() = term;
+        sampler(number).lattice().interpolate(r.terms[2*k], point, term);
+        u.col(k - 1).imag() = -term;
+    }
+
+    return u;
 }
 
 

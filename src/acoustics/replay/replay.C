@@ -217,12 +217,13 @@ Foam::acoustics::replay::replay(std::unique_ptr<const chamber>&& chamber)
         chamber_->frequency,
         harmonicFlow::read(*chamber_->mesh, chamber_->time)
     ),
-    largestSpeed_(flow_.largestSpeed())
+    largestAmplitude_(flow_.largestAmplitude())
 {
     Info<< "    replayed from " << chamber_->mesh->time().path()
         << ", time " << chamber_->time << ": " << frequency() << " Hz, "
         << flow_.nHarmonics() << " harmonics with the fundamental, up to "
-        << largestSpeed_ << " m/s" << endl;
+        << largestAmplitude_ << " m/s, on a mean flow of at most "
+        << flow_.largestMean() << " m/s" << endl;
 }
 
 

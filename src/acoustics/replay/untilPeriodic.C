@@ -188,7 +188,7 @@ void Foam::acoustics::untilPeriodic::handOver()
 
     if (regions_.empty())
     {
-        amplitude = flow_->largestSpeed();
+        amplitude = flow_->largestAmplitude();
     }
 
     const scalar perCent = 100/max(amplitude, VSMALL);
@@ -428,7 +428,7 @@ Foam::acoustics::untilPeriodic::~untilPeriodic() = default;
 Foam::scalar Foam::acoustics::untilPeriodic::velocityAmplitude() const
 {
     return
-        replaying_ ? flow_->largestSpeed() : solved_->velocityAmplitude();
+        replaying_ ? flow_->largestAmplitude() : solved_->velocityAmplitude();
 }
 
 
@@ -524,6 +524,22 @@ void Foam::acoustics::untilPeriodic::velocityIn
     {
         solved_->velocityIn(region, t, x, u);
     }
+}
+
+
+std::optional<Foam::acoustics::soundField::vectorPhasors>
+Foam::acoustics::untilPeriodic::harmonics
+(
+    const label region,
+    const Eigen::Vector3d& x
+) const
+{
+    if (!replaying_)
+    {
+        return std::nullopt;
+    }
+
+    return flow_->harmonics(region, x);
 }
 
 

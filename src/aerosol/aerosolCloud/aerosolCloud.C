@@ -114,7 +114,8 @@ Foam::aerosol::aerosolCloud::aerosolCloud
     ),
     step_(0),
     outgrown_(false),
-    isNew_(true)
+    isNew_(true),
+    reached_(mesh.time().value())
 {
     cloudFiles::requireExact(mesh_.time());
 
@@ -150,7 +151,7 @@ Foam::aerosol::aerosolCloud::aerosolCloud
 
     if (isNew_)
     {
-        prepareTravel(dictionary());
+        prepareFrame(dictionary());
         makeParticles();
         applyLaws(dictionary());
         suitability_.requireRanges(particles_);
@@ -159,7 +160,6 @@ Foam::aerosol::aerosolCloud::aerosolCloud
     {
         const dictionary state = readParticles();
 
-        prepareTravel(state);
         applyLaws(state);
         checkGrowth();
     }
@@ -233,8 +233,10 @@ const Foam::dictionary& Foam::aerosol::aerosolCloud::requireKnownModels
 
 Foam::dictionary Foam::aerosol::aerosolCloud::readParticles()
 {
-    const dictionary state = files_.read(particles_);
+    cloudFiles::inFrame inFrame;
+    const dictionary state = files_.read(particles_, inFrame);
 
+    reached_ = state.lookupOrDefault<scalar>("reached", reached_);
     N0_ = state.get<label>("initialNumber");
     N0PM25_ = state.get<label>("initialNumberPM25");
     contacts_.setCount(state.get<label>("contacts"));
@@ -275,6 +277,23 @@ Foam::dictionary Foam::aerosol::aerosolCloud::readParticles()
     Info<< "Continuing with the " << particles_.size()
         << " particles of time " << mesh_.time().timeName() << nl;
 
+    prepareFrame(state);
+
+    // Of another frame, where the mean flow has changed
+    const bool sameFrame =
+        state.lookupOrDefault<scalar>("frameOrigin", VGREAT)
+     == frame_->origin();
+
+    if (inFrame.x.cols() && sameFrame)
+    {
+        particles_.x = inFrame.x;
+        particles_.v = inFrame.v;
+    }
+    else
+    {
+        frame_->enter(particles_, reached_);
+    }
+
     return state;
 }
 
@@ -290,10 +309,11 @@ void Foam::aerosol::aerosolCloud::makeParticles()
 
     if (source->followsGas())
     {
-        const scalar now = mesh_.time().value();
-
-        sound_.velocity(now, particles_.x, particles_.v);
-        travel_->leave(particles_, now);
+        sound_.velocity(mesh_.time().value(), particles_.x, particles_.v);
+    }
+    else
+    {
+        frame_->enter(particles_, reached_);
     }
 
     const aerosolStatistics initial(particles_);
@@ -358,12 +378,12 @@ void Foam::aerosol::aerosolCloud::requireNoneBefore() const
 }
 
 
-void Foam::aerosol::aerosolCloud::prepareTravel(const dictionary& state)
+void Foam::aerosol::aerosolCloud::prepareFrame(const dictionary& state)
 {
     const boundBox& box = domain_->bounds();
     const boundBox chamber(mesh_.points(), true);
-    const scalar start =
-        state.lookupOrDefault<scalar>("began", mesh_.time().value());
+    const scalar now = mesh_.time().value();
+    const scalar start = state.lookupOrDefault<scalar>("began", now);
 
     if (!chamber.contains(box))
     {
@@ -374,20 +394,67 @@ void Foam::aerosol::aerosolCloud::prepareTravel(const dictionary& state)
             << exit(FatalIOError);
     }
 
-    travel_.reset
+    frame_.reset
     (
-        new travel(dict_.subOrEmptyDict("carried"), box, chamber, start)
+        new movingFrame
+        (
+            dict_.subOrEmptyDict("carried"), *domain_, chamber, start
+        )
     );
 
-    if (travel_->active())
+    if (frame_->carried())
     {
         Info<< "Carried along; the domain leaves the mesh at "
-            << travel_->end() << " s, after " << travel_->end() - start
+            << frame_->end() << " s, after " << frame_->end() - start
             << " s" << nl;
     }
 
-    sound_.prepare(travel_->path());
-    sound_.move(travel_->velocity(), start);
+    sound_.prepare(frame_->path());
+
+    if (!domain_->representative() && frame_->carried())
+    {
+        FatalIOErrorInFunction(dict_.subDict("domain"))
+            << "A domain that is carried along cannot have a resolved sound:"
+            << " leave out 'carried', or set 'sound' to representative"
+            << exit(FatalIOError);
+    }
+
+    if (domain_->representative())
+    {
+        sound_.represent(box);
+
+        // All go with the mean flow, but those that act on the gas where
+        // they are
+        const std::optional<Eigen::Vector3d> mean = sound_.meanFlow();
+
+        if (mean && !coupled())
+        {
+            const auto before = [&](const word& component)
+            {
+                return state.lookupOrDefault<scalar>(component, VGREAT);
+            };
+            const bool same =
+                before("frameVelocityX") == (*mean)(0)
+             && before("frameVelocityY") == (*mean)(1)
+             && before("frameVelocityZ") == (*mean)(2);
+
+            frame_->move
+            (
+                *mean,
+                same ? state.get<scalar>("frameOrigin") : now
+            );
+        }
+    }
+
+    sound_.move(frame_->domainVelocity(), frame_->velocity(), start);
+    requireNoShear();
+
+    if (state.found("lastPeriod"))
+    {
+        const List<scalar> numbers(state.get<List<scalar>>("lastPeriod"));
+
+        sound_.setLastPeriod({numbers.cbegin(), numbers.cend()});
+    }
 
     if (state.found("gasWayX"))
     {
@@ -398,6 +465,87 @@ void Foam::aerosol::aerosolCloud::prepareTravel(const dictionary& state)
             state.get<scalar>("gasWayZ")
         });
     }
+}
+
+
+void Foam::aerosol::aerosolCloud::requireNoShear() const
+{
+    if (!domain_->representative() || sound_.frequency() > 0)
+    {
+        return;
+    }
+
+    const Eigen::Matrix3d gradient = sound_.gradient(mesh_.time().value());
+
+    if (!gradient.isZero(0))
+    {
+        FatalIOErrorInFunction(dict_.subDict("domain"))
+            << "The gas has a steady velocity gradient of " << gradient.norm()
+            << " 1/s, and a periodic domain has not: the images of a particle"
+            << " would have the velocity of the particle itself, not that of"
+            << " the gas where they are. For rates of collision in a shear,"
+            << " use 'turbulence' with its 'shearRate' in a gas that is"
+            << " quiescent"
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::aerosol::aerosolCloud::requirePeriodicSound(const scalar t) const
+{
+    // Nine points of each face
+    const boundBox& box = domain_->bounds();
+    const scalar amplitude = sound_.velocityAmplitude();
+
+    for (direction k = 0; k < vector::nComponents; ++k)
+    {
+        vectors low(3, 9);
+        vectors high(3, 9);
+
+        for (int n = 0; n < 9; ++n)
+        {
+            vector place(0, 0, 0);
+            place[(k + 1) % 3] = 0.1 + 0.4*(n % 3);
+            place[(k + 2) % 3] = 0.1 + 0.4*(n/3);
+
+            const point onLow = box.min() + cmptMultiply(place, box.span());
+
+            low.col(n) = acoustics::toEigen(onLow);
+            high.col(n) = low.col(n);
+            high(k, n) = box.max()[k];
+        }
+
+        vectors before, after;
+        sound_.acoustics::localSound::velocity(t, low, before);
+        sound_.acoustics::localSound::velocity(t, high, after);
+
+        const scalar difference =
+            (after - before).colwise().norm().maxCoeff();
+
+        if (difference > 0.01*amplitude + 1e-9)
+        {
+            FatalIOErrorInFunction(dict_.subDict("domain"))
+                << "At time " << mesh_.time().timeName() << " the gas at"
+                << " opposite faces of the domain, normal to direction "
+                << label(k) << ", differs by " << difference << " m/s, of a"
+                << " velocity amplitude of " << amplitude << " m/s. With"
+                << " 'sound resolved' it must be the same there, as in a box"
+                << " from wall to wall, or as long as whole wavelengths: set"
+                << " 'sound' to representative"
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+Foam::aerosol::particleArrays
+Foam::aerosol::aerosolCloud::inChamber() const
+{
+    particleArrays all = bricks::gather(particles_);
+
+    frame_->leave(all, reached_);
+
+    return all;
 }
 
 
@@ -486,7 +634,7 @@ void Foam::aerosol::aerosolCloud::checkGrowth()
 
 bool Foam::aerosol::aerosolCloud::left(const scalar t) const
 {
-    return t > travel_->end() + 1e-6*mesh_.time().deltaTValue();
+    return t > frame_->end() + 1e-6*mesh_.time().deltaTValue();
 }
 
 
@@ -509,12 +657,10 @@ void Foam::aerosol::aerosolCloud::tabulate()
 
     if (first || end || now > nextRow_ - 0.5*runTime.deltaTValue())
     {
-        const particleArrays all = bricks::gather(particles_);
-
         tables_->writeRow
         (
             now,
-            aerosolStatistics(all),
+            aerosolStatistics(inChamber()),
             N0_,
             N0PM25_,
             domain_->volume(),
@@ -536,7 +682,10 @@ void Foam::aerosol::aerosolCloud::tabulate()
 void Foam::aerosol::aerosolCloud::announce()
 {
     acoustics::soundField::vectors u;
-    sound_.velocity(mesh_.time().value(), particles_.x, u);
+    sound_.velocityAt
+    (
+        mesh_.time().value(), particles_.x, particles_.response, u
+    );
 
     coupling_->announce(particles_, motion_, u, mesh_.time().deltaTValue());
 }
@@ -557,7 +706,12 @@ Foam::dictionary Foam::aerosol::aerosolCloud::state() const
     dict.add("domainWas", dict_.subDict("domain"));
     dict.add("particlesWere", dict_.subDict("particles"));
     dict.add("carriedWas", dict_.subOrEmptyDict("carried"));
-    dict.add("began", travel_->start());
+    dict.add("began", frame_->start());
+    dict.add("reached", reached_);
+    dict.add("frameOrigin", frame_->origin());
+    dict.add("frameVelocityX", frame_->velocity()(0));
+    dict.add("frameVelocityY", frame_->velocity()(1));
+    dict.add("frameVelocityZ", frame_->velocity()(2));
 
     if (motion_.wakeModel().needsTolerance())
     {
@@ -572,6 +726,20 @@ Foam::dictionary Foam::aerosol::aerosolCloud::state() const
         std::copy(times.data(), times.data() + times.size(), list.begin());
 
         dict.add("historyTimes", list);
+    }
+
+    const std::vector<scalar> lastPeriod = sound_.lastPeriod();
+
+    if (lastPeriod.size())
+    {
+        // As text, but with all digits
+        const unsigned int precision = IOstream::defaultPrecision(17);
+
+        List<scalar> list(lastPeriod.size());
+        std::copy(lastPeriod.cbegin(), lastPeriod.cend(), list.begin());
+        dict.add("lastPeriod", list);
+
+        IOstream::defaultPrecision(precision);
     }
 
     if (sound_.turbulent())
@@ -594,7 +762,7 @@ void Foam::aerosol::aerosolCloud::couple(gasReaction& reaction)
 {
     const dictionary& dict = dict_.subDict("coupling");
 
-    if (travel_->active())
+    if (frame_->carried())
     {
         FatalIOErrorInFunction(dict)
             << "A domain that is carried along stands for no part of the"
@@ -627,7 +795,7 @@ void Foam::aerosol::aerosolCloud::begin()
     if (isNew_ && !isA<simplifiedFvMesh>(mesh_))
     {
         // ParaView finds a cloud only if it is there from the first time on
-        files_.write(bricks::gather(particles_), state());
+        write();
     }
 
     tables_.reset
@@ -653,24 +821,21 @@ void Foam::aerosol::aerosolCloud::evolve()
 
     reported_ = clock::now();
 
-    // In the mesh, others have to know where everybody is
-    const bool settled = travel_->active() || coupling_;
-
     sound_.follow(end - h, h);
 
-    travel_->enter(particles_, end - h);
-
-    if (settled)
+    if (!domain_->representative())
     {
-        timeStepping_->settle(particles_);
+        requirePeriodicSound(end);
     }
 
     if (coupling_)
     {
+        timeStepping_->settle(particles_);
         coupling_->before(particles_, h);
     }
 
     ++step_;
+    reached_ = end;
 
     timeStepping_->advance
     (
@@ -704,12 +869,10 @@ void Foam::aerosol::aerosolCloud::evolve()
         announce();
     }
 
-    if (settled || broken || mesh_.time().writeTime())
+    if (coupling_ || broken || mesh_.time().writeTime())
     {
         timeStepping_->settle(particles_);
     }
-
-    travel_->leave(particles_, end);
 
     checkGrowth();
 
@@ -800,7 +963,7 @@ std::string Foam::aerosol::aerosolCloud::progress() const
 
     if (left(mesh_.time().value()))
     {
-        os  << "; left the mesh at " << travel_->end() << " s";
+        os  << "; left the mesh at " << frame_->end() << " s";
     }
 
     return os.str();
@@ -852,15 +1015,17 @@ std::string Foam::aerosol::aerosolCloud::effort() const
 
 bool Foam::aerosol::aerosolCloud::writeObject(WRITE_OBJECT_ARGUMENTS) const
 {
+    cloudFiles::inFrame inFrame;
     particleArrays all = bricks::gather(particles_);
 
-    // Between steps, some may be a little outside
-    if (!travel_->active())
+    if (frame_->moves())
     {
-        domain_->confine(all.x);
+        inFrame.x = all.x;
+        inFrame.v = all.v;
     }
 
-    files_.write(all, state());
+    frame_->leave(all, reached_);
+    files_.write(all, state(), inFrame);
 
     return true;
 }

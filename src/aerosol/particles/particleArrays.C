@@ -68,6 +68,7 @@ void Foam::aerosol::particleArrays::resize(const int n)
     primaries.resize(n);
 
     rate.resize(0);
+    response.resize(0);
     acceleration.resize(3, 0);
     range.resize(0);
     mobility.resize(0);
@@ -99,6 +100,7 @@ void Foam::aerosol::particleArrays::mergeHistory(const int i, const int j)
 void Foam::aerosol::particleArrays::resizeLaws()
 {
     rate.resize(size());
+    response.resize(size());
     acceleration.resize(3, size());
     range.resize(size());
     mobility.resize(size());
@@ -131,6 +133,7 @@ void Foam::aerosol::particleArrays::reorder(const std::vector<int>& indices)
     if (withLaws)
     {
         one(rate);
+        one(response);
         three(acceleration);
         one(range);
         one(mobility);
@@ -166,6 +169,8 @@ void Foam::aerosol::particleArrays::pack(const int i, double* numbers) const
     Eigen::Map<Eigen::Vector3d>(numbers + 15) = thermal.col(i);
     numbers[18] = mobility(i);
     numbers[19] = collision(i);
+    numbers[20] = response(i).real();
+    numbers[21] = response(i).imag();
 
     if (history.rows())
     {
@@ -191,6 +196,7 @@ void Foam::aerosol::particleArrays::unpack(const int i, const double* numbers)
     thermal.col(i) = Eigen::Map<const Eigen::Vector3d>(numbers + 15);
     mobility(i) = numbers[18];
     collision(i) = numbers[19];
+    response(i) = {numbers[20], numbers[21]};
 
     if (history.rows())
     {
@@ -221,6 +227,7 @@ Foam::aerosol::particleArrays Foam::aerosol::particleArrays::select
     if (refreshed())
     {
         chosen.rate = rate(indices);
+        chosen.response = response(indices);
         chosen.acceleration = acceleration(Eigen::all, indices);
         chosen.range = range(indices);
         chosen.mobility = mobility(indices);
@@ -258,6 +265,7 @@ void Foam::aerosol::particleArrays::replace
     {
         values->conservativeResize(n);
     }
+    response.conservativeResize(n);
     if (history.rows())
     {
         unsteady.conservativeResize(3, n);
@@ -291,6 +299,7 @@ void Foam::aerosol::particleArrays::remove(const std::vector<char>& marked)
     if (withLaws)
     {
         apply(rate, all, n);
+        apply(response, all, n);
         apply(acceleration, all, n);
         apply(range, all, n);
         apply(mobility, all, n);

@@ -17,7 +17,7 @@ LAWS = {
     """,
     "shear": """
         type shear; fragments two; share 0.4;
-        bond { type Rumpf; HamakerConstant 1e-28; }
+        bond { type Rumpf; HamakerConstant 2e-27; }
     """,
 }
 
@@ -28,6 +28,9 @@ def make(directory, meshed, law, steps):
     case.model("aggregate", "type fractal; dimension 1.8;")
     # Denser for impacts, that aggregates meet
     case.aerosol("numberConcentration", "80e12" if law == "impact" else "40e12")
+    # The strain of a standing wave is zero at its velocity antinode
+    if law == "shear":
+        case.aerosol("centre", "(0.0521 0 0)")
     case.exact_times(STEP, 15)
     case.control("endTime", repr(steps*STEP))
     case.write(

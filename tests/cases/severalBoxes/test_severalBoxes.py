@@ -112,7 +112,9 @@ def test_continue_and_do_not_depend_on_the_ranks(tmp_path, meshed, ranks):
 def test_carried_along_sees_what_it_passes(tmp_path, meshed):
     """Single particles, in a box that a mean flow carries from node to node.
 
-    Exact: m dv/dt = k(u - v) along x, by Runge-Kutta; across, the mean flow.
+    Exact: m dv/dt = k(u - v) along x, by Runge-Kutta, where u is that at the
+    centre of the box and at the swing of the particle from there; across, the
+    mean flow.
     """
     flow = np.array([5.0, 0.1, 0])
     start, end, edge = 0.005, 0.1226, 1e-3
@@ -164,7 +166,11 @@ def test_carried_along_sees_what_it_passes(tmp_path, meshed):
         k = 18*mu/(2300*d**2)
 
         def rate(t, y, k=k):
-            u = flow[0] + u0*np.sin(omega/c*y[0])*np.sin(omega*t)
+            centre = omega/c*(start + flow[0]*t)
+            swing = -u0/omega*np.sin(centre)*np.real(
+                np.exp(1j*omega*t)/(1 + 1j*omega/k)
+            )
+            u = flow[0] + u0*np.sin(centre + omega/c*swing)*np.sin(omega*t)
             return np.array([y[1], k*(u - y[1])])
 
         steps = 20000

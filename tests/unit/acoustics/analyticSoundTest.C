@@ -204,7 +204,7 @@ TEST(localSound, seesTheMeanFlowFromItsFrame)
 
     quiescent wind(parse("velocity (1 -2 3);"));
     localSound inWind(wind);
-    inWind.move(frame, 0);
+    inWind.move(frame, frame, 0);
 
     ASSERT_TRUE(inWind.meanFlow());
     EXPECT_EQ(*inWind.meanFlow(), at(inWind, 5, {1, 2, 3}));
@@ -212,7 +212,7 @@ TEST(localSound, seesTheMeanFlowFromItsFrame)
     // Who does not know it, does not know it from there either
     linearShear shear(parse("shearRate 1;"));
     localSound inShear(shear);
-    inShear.move(frame, 0);
+    inShear.move(frame, frame, 0);
 
     EXPECT_FALSE(inShear.meanFlow());
 }

@@ -111,4 +111,26 @@ Foam::acoustics::planeWave::sine(const Eigen::ArrayXd& angles)
 }
 
 
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+std::optional<Foam::acoustics::soundField::vectorPhasors>
+Foam::acoustics::planeWave::harmonics
+(
+    const label,
+    const Eigen::Vector3d& x
+) const
+{
+    // Re(u) and Re(i u) of the phasor u, without the mean flow
+    vectors now, quarterLater;
+    velocity(0, x, now);
+    velocity(0.25/frequency(), x, quarterLater);
+
+    vectorPhasors u(3, 1);
+    u.real() = now - mean_;
+    u.imag() = mean_ - quarterLater;
+
+    return u;
+}
+
+
 // ************************************************************************* //

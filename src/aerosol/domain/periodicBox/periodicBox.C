@@ -55,14 +55,35 @@ Foam::vector readLength(const Foam::dictionary& dict)
     return length;
 }
 
+
+//- Whether the sound is representative
+bool readSound(const Foam::dictionary& dict)
+{
+    const Foam::word sound =
+        dict.lookupOrDefault<Foam::word>("sound", "representative");
+
+    if (sound != "representative" && sound != "resolved")
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'sound' of " << dict.name() << " is " << sound
+            << ", but it must be representative, the same all over the box, or"
+            << " resolved, that at the place of each particle"
+            << exit(Foam::FatalIOError);
+    }
+
+    return sound == "representative";
+}
+
 } // End anonymous namespace
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::aerosol::periodicBox::periodicBox(const dictionary& dict)
+:
+    representative_(readSound(dict))
 {
-    requireOnly(dict, {"type", "centre", "length"});
+    requireOnly(dict, {"type", "centre", "length", "sound"});
 
     const vector centre = dict.get<vector>("centre");
     const vector length = readLength(dict);

@@ -174,6 +174,53 @@ void Foam::aerosol::equationOfMotion::size
 }
 
 
+std::complex<double> Foam::aerosol::equationOfMotion::response
+(
+    const particleArrays& one
+) const
+{
+    const scalar omega = slips_.omega();
+
+    if (omega <= 0)
+    {
+        return 0;
+    }
+
+    const unsteadyDrag::phasors more =
+        unsteady_->periodic(omega, gas_, one, 0);
+
+    // The finite drag depends on the slip, and this on the drag
+    const int nPasses = linear() ? 1 : 20;
+
+    std::complex<double> H;
+    scalar factor = 1;
+
+    for (int pass = 0; pass < nPasses; ++pass)
+    {
+        const std::complex<double> kappa
+        (
+            more.slip.real(),
+            more.slip.imag() - factor*one.rate(0)/omega
+        );
+
+        H = (kappa + more.gas)/(kappa + 1.0);
+
+        if (!linear())
+        {
+            const scalar slip =
+                8/(3*EIGEN_PI)*std::abs(1.0 - H)*slips_.amplitude();
+
+            factor = drag_->factor
+            (
+                scalars::Constant(1, one.mobility(0)*slip/gas_.nu())
+            )(0);
+        }
+    }
+
+    return H;
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::aerosol::vectors
@@ -615,9 +662,11 @@ void Foam::aerosol::equationOfMotion::refresh
 {
     size(particles, i);
 
-    const particleArrays one = particles.select({i});
+    particleArrays one = particles.select({i});
 
-    particles.rate(i) = drag_->StokesRate(one, gas_)(0);
+    one.rate = drag_->StokesRate(one, gas_);
+    particles.rate(i) = one.rate(0);
+    particles.response(i) = response(one);
     particles.acceleration.col(i) = gravity_->acceleration(one, gas_).col(0);
 
     const scalars slip = slips_.slip

@@ -306,7 +306,8 @@ Foam::dictionary Foam::aerosol::cloudFiles::readState() const
 
 Foam::dictionary Foam::aerosol::cloudFiles::read
 (
-    particleArrays& particles
+    particleArrays& particles,
+    inFrame& frame
 ) const
 {
     const dictionary state(readState());
@@ -369,6 +370,17 @@ Foam::dictionary Foam::aerosol::cloudFiles::read
         history.append(one);
     }
 
+    const Field<vector> framePosition
+    (
+        readFieldIfPresent<vector>("framePosition")
+    );
+    const Field<vector> frameU(readFieldIfPresent<vector>("frameU"));
+    const label nFrame =
+        framePosition.size() == size && frameU.size() == size ? size : 0;
+
+    frame.x.resize(3, nFrame);
+    frame.v.resize(3, nFrame);
+
     labelList order;
     sortedOrder(id, order);
 
@@ -409,6 +421,12 @@ Foam::dictionary Foam::aerosol::cloudFiles::read
         {
             particles.history(0, i) = step[k];
         }
+
+        for (direction cmpt = 0; i < nFrame && cmpt < 3; ++cmpt)
+        {
+            frame.x(cmpt, i) = framePosition[k][cmpt];
+            frame.v(cmpt, i) = frameU[k][cmpt];
+        }
     }
 
     return state;
@@ -418,7 +436,8 @@ Foam::dictionary Foam::aerosol::cloudFiles::read
 void Foam::aerosol::cloudFiles::write
 (
     const particleArrays& p,
-    const dictionary& state
+    const dictionary& state,
+    const inFrame& frame
 ) const
 {
     for (int i = 0; i < p.size(); ++i)
@@ -515,6 +534,25 @@ void Foam::aerosol::cloudFiles::write
     else
     {
         rm(cloud_->fieldIOobject("UBrownian", IOobject::NO_READ).objectPath());
+    }
+
+    if (frame.x.cols())
+    {
+        ok &= writeField<vector>
+        (
+            "framePosition", mine, [&](label i) { return column(frame.x, i); }
+        );
+        ok &= writeField<vector>
+        (
+            "frameU", mine, [&](label i) { return column(frame.v, i); }
+        );
+    }
+    else
+    {
+        for (const word name : {"framePosition", "frameU"})
+        {
+            rm(cloud_->fieldIOobject(name, IOobject::NO_READ).objectPath());
+        }
     }
 
     if (p.history.rows())

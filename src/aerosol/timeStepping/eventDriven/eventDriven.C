@@ -440,6 +440,10 @@ std::vector<int> Foam::aerosol::eventDriven::findEncounters
             furthest = std::max(furthest, 2*(one.middle - p.x.col(i)).norm());
         }
 
+        // What all have moved alike since they were last brought home reaches
+        // nobody: else a mean flow would need ever more copies
+        middle.colwise() -= rooms_.moved();
+
         rooms_.leave();
         requireShort(furthest, h);
         searchContacts(p, middle, reach);

@@ -127,6 +127,7 @@ Foam::aerosol::timeStepping::sampleGas
 (
     vectors x,
     const vectors& v,
+    const phasors& response,
     const scalar t,
     const scalar h,
     const bool parabola
@@ -137,7 +138,7 @@ Foam::aerosol::timeStepping::sampleGas
     // Who has left the domain finds the gas that is where the border says
     with_.region.confine(x);
 
-    with_.sound.velocity(t, x, gas.u0);
+    with_.sound.velocityAt(t, x, response, gas.u0);
 
     // Where a particle will be at the end matters to second order; just across
     // the border of the domain the gas is that at the border
@@ -152,12 +153,12 @@ Foam::aerosol::timeStepping::sampleGas
             (x.col(i) + h*v.col(i)).cwiseMax(lower).cwiseMin(upper);
     }
 
-    with_.sound.velocity(t + h, x1, gas.u1);
+    with_.sound.velocityAt(t + h, x1, response, gas.u1);
 
     if (parabola)
     {
         x1 = 0.5*(x + x1);
-        with_.sound.velocity(t + 0.5*h, x1, gas.um);
+        with_.sound.velocityAt(t + 0.5*h, x1, response, gas.um);
     }
 
     return gas;
@@ -185,6 +186,7 @@ Foam::aerosol::timeStepping::gasWhenAsked
                     p.v.middleCols(first, size),
                     p.thermal.middleCols(first, size)
                 ),
+                p.response.segment(first, size),
                 t, h, parabola
             );
         },
@@ -197,6 +199,7 @@ Foam::aerosol::timeStepping::gasWhenAsked
                 (
                     p.v(Eigen::all, some), p.thermal(Eigen::all, some)
                 ),
+                p.response(some),
                 t, h, parabola
             );
         },

@@ -76,6 +76,8 @@ Foam::label Foam::aerosol::turbulentGas::prepare(const boundBox& region)
 
 void Foam::aerosol::turbulentGas::follow(const scalar t, const scalar h)
 {
+    localSound::follow(t, h);
+
     if (!turbulent())
     {
         return;
@@ -122,5 +124,23 @@ void Foam::aerosol::turbulentGas::velocity
         turbulence_->add(t, x.colwise() - wayAt(t), u);
     }
 }
+
+
+void Foam::aerosol::turbulentGas::velocityAt
+(
+    const scalar t,
+    const vectors& x,
+    const phasors& response,
+    vectors& u
+) const
+{
+    localSound::velocityAt(t, x, response, u);
+
+    if (turbulent())
+    {
+        turbulence_->add(t, x.colwise() - wayAt(t), u);
+    }
+}
+
 
 // ************************************************************************* //

@@ -118,7 +118,7 @@ std::vector<Eigen::Matrix3d> Foam::aerosol::breakages::gradients
     const boundBox& box = region.bounds();
     const int n = x.cols();
 
-    std::vector<Eigen::Matrix3d> all(n, Eigen::Matrix3d::Zero());
+    std::vector<Eigen::Matrix3d> all(n, sound.gradient(t));
 
     for (int k = 0; k < 3; ++k)
     {
@@ -137,7 +137,7 @@ std::vector<Eigen::Matrix3d> Foam::aerosol::breakages::gradients
 
         for (int i = 0; i < n; ++i)
         {
-            all[i].col(k) =
+            all[i].col(k) +=
                 (after.col(i) - before.col(i))/(high(k, i) - low(k, i));
         }
     }
@@ -196,7 +196,7 @@ bool Foam::aerosol::breakages::apply
     region.confine(x);
 
     vectors u;
-    sound.velocity(t, x, u);
+    sound.velocityAt(t, x, p.response(aggregates), u);
 
     std::vector<Eigen::Matrix3d> gradient;
     if (model_->needsGradient())

@@ -70,6 +70,28 @@ struct decay
     }
 };
 
+using Foam::acoustics::gasProperties;
+using Foam::aerosol::particleArrays;
+
+//- Strength of the history force of particle i, over its mass [1/s^0.5]
+double history(const gasProperties& gas, const particleArrays& p, const int i)
+{
+    const double outer = p.mobility(i);
+
+    return 1.5*std::sqrt(EIGEN_PI*gas.rho*gas.mu)*outer*outer/p.m(i);
+}
+
+//- Mass of the displaced gas, over that of particle i
+double displacedMass
+(
+    const gasProperties& gas,
+    const particleArrays& p,
+    const int i
+)
+{
+    return gas.rho*p.volume(i)/p.m(i);
+}
+
 } // End anonymous namespace
 
 
@@ -172,6 +194,20 @@ std::complex<double> Foam::aerosol::BassetDrag::transform
 }
 
 
+Foam::aerosol::unsteadyDrag::phasors Foam::aerosol::BassetDrag::periodic
+(
+    const scalar omega,
+    const acoustics::gasProperties& gas,
+    const particleArrays& p,
+    const int i
+) const
+{
+    const double displaced = displacedMass(gas, p, i);
+
+    return {history(gas, p, i)*transform(omega) + 0.5*displaced, displaced};
+}
+
+
 void Foam::aerosol::BassetDrag::begin
 (
     const scalar h,
@@ -195,17 +231,11 @@ void Foam::aerosol::BassetDrag::begin
     const double added =
         (pulse_ + (amplitudes_*times_*(1 - now.mean)).sum())/h;
 
-    const double strength = 1.5*std::sqrt(EIGEN_PI*gas.rho*gas.mu);
-
     p.resize(3, n);
     q.resize(n);
 
     for (int i = 0; i < n; ++i)
     {
-        const double d = particles.d(first + i);
-        const double outer = particles.mobility(first + i);
-        const double m = particles.m(first + i);
-
         double* const past =
             particles.history.data() + particles.history.rows()*(first + i);
 
@@ -215,8 +245,8 @@ void Foam::aerosol::BassetDrag::begin
             last = decay(past[0], times_);
         }
 
-        const double b = strength*outer*outer/m;
-        const double displaced = gas.rho*EIGEN_PI/6*d*d*d/m;
+        const double b = history(gas, particles, first + i);
+        const double displaced = displacedMass(gas, particles, first + i);
 
         Eigen::Map<Eigen::Vector3d> slip(past + 1);
         Eigen::Map<Eigen::Matrix3Xd> y(past + 4, 3, nTimes);

@@ -3,26 +3,31 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "travel.H"
+#include "movingFrame.H"
 #include "checkedEntry.H"
 
 #include <algorithm>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::aerosol::travel::travel
+Foam::aerosol::movingFrame::movingFrame
 (
     const dictionary& dict,
-    const boundBox& domain,
+    const domain& region,
     const boundBox& chamber,
     const scalar start
 )
 :
-    velocity_(Eigen::Vector3d::Zero()),
+    domain_(region),
+    domainVelocity_(Eigen::Vector3d::Zero()),
     start_(start),
     end_(GREAT),
-    path_(domain)
+    path_(region.bounds()),
+    velocity_(Eigen::Vector3d::Zero()),
+    origin_(start)
 {
+    const boundBox& box = region.bounds();
+
     requireOnly(dict, {"velocity"});
 
     const vector V = readVector(dict, "velocity", dimVelocity, vector::zero);
@@ -31,13 +36,13 @@ Foam::aerosol::travel::travel
 
     for (direction k = 0; k < vector::nComponents; ++k)
     {
-        velocity_(k) = V[k];
+        domainVelocity_(k) = V[k];
 
         // Compared before divided: no division by nearly nothing
         const scalar room =
             V[k] > 0
-          ? chamber.max()[k] - domain.max()[k]
-          : domain.min()[k] - chamber.min()[k];
+          ? chamber.max()[k] - box.max()[k]
+          : box.min()[k] - chamber.min()[k];
 
         if (mag(V[k])*longest > room)
         {
@@ -45,34 +50,43 @@ Foam::aerosol::travel::travel
         }
     }
 
-    if (active())
+    if (carried())
     {
         end_ = start_ + longest;
 
-        path_.add(domain.min() + V*longest);
-        path_.add(domain.max() + V*longest);
+        path_.add(box.min() + V*longest);
+        path_.add(box.max() + V*longest);
     }
+
+    velocity_ = domainVelocity_;
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::aerosol::travel::enter(particleArrays& p, const scalar t) const
+void Foam::aerosol::movingFrame::leave(particleArrays& p, const scalar t) const
 {
-    if (active())
+    // Between steps some may be a little outside
+    p.x.colwise() += (velocity_ - domainVelocity_)*(t - origin_);
+    domain_.confine(p.x);
+
+    if (moves())
     {
-        p.x.colwise() -= way(t);
-        p.v.colwise() -= velocity_;
+        p.x.colwise() += domainVelocity_*(t - start_);
+        p.v.colwise() += velocity_;
     }
 }
 
 
-void Foam::aerosol::travel::leave(particleArrays& p, const scalar t) const
+void Foam::aerosol::movingFrame::enter(particleArrays& p, const scalar t) const
 {
-    if (active())
+    if (moves())
     {
-        p.x.colwise() += way(t);
-        p.v.colwise() += velocity_;
+        p.x.colwise() -=
+            domainVelocity_*(t - start_)
+          + (velocity_ - domainVelocity_)*(t - origin_);
+        p.v.colwise() -= velocity_;
+        domain_.confine(p.x);
     }
 }
 
