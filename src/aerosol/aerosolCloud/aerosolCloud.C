@@ -6,6 +6,7 @@
 #include "aerosolCloud.H"
 #include "checkedEntry.H"
 #include "describe.H"
+#include "sameContents.H"
 #include "fvMesh.H"
 #include "particleSource.H"
 #include "simplifiedFvMesh.H"
@@ -75,7 +76,7 @@ Foam::aerosol::aerosolCloud::aerosolCloud
     files_(mesh, name),
     reportsContacts_
     (
-        dict_.subOrEmptyDict("report").lookupOrDefault<Switch>
+        dict_.subOrEmptyDict("report").getOrDefault<Switch>
         (
             "contacts",
             false
@@ -83,7 +84,7 @@ Foam::aerosol::aerosolCloud::aerosolCloud
     ),
     reportsBreakages_
     (
-        dict_.subOrEmptyDict("report").lookupOrDefault<Switch>
+        dict_.subOrEmptyDict("report").getOrDefault<Switch>
         (
             "breakages",
             false
@@ -236,21 +237,21 @@ Foam::dictionary Foam::aerosol::aerosolCloud::readParticles()
     cloudFiles::inFrame inFrame;
     const dictionary state = files_.read(particles_, inFrame);
 
-    reached_ = state.lookupOrDefault<scalar>("reached", reached_);
+    reached_ = state.getOrDefault<scalar>("reached", reached_);
     N0_ = state.get<label>("initialNumber");
     N0PM25_ = state.get<label>("initialNumberPM25");
     contacts_.setCount(state.get<label>("contacts"));
     contacts_.setRefusedPairs
     (
-        state.lookupOrDefault<labelList>("refusedPairs", labelList())
+        state.getOrDefault<labelList>("refusedPairs", labelList())
     );
     sizeBins_ = state.subDict("sizeBins");
 
     // Before anything could break, ids were those of the start
     breakages_.begin
     (
-        state.lookupOrDefault<label>("nextId", N0_),
-        state.lookupOrDefault<label>("breakages", 0)
+        state.getOrDefault<label>("nextId", N0_),
+        state.getOrDefault<label>("breakages", 0)
     );
 
     // A change of these would be ignored, or would move the particles
@@ -258,7 +259,7 @@ Foam::dictionary Foam::aerosol::aerosolCloud::readParticles()
     {
         const dictionary now = dict_.subOrEmptyDict(name);
 
-        if (state.subOrEmptyDict(then).digest() != now.digest())
+        if (!sameContents(state.subOrEmptyDict(then), now))
         {
             FatalIOErrorInFunction(now)
                 << "The dictionary '" << name << "' has changed since the"
@@ -281,7 +282,7 @@ Foam::dictionary Foam::aerosol::aerosolCloud::readParticles()
 
     // Of another frame, where the mean flow has changed
     const bool sameFrame =
-        state.lookupOrDefault<scalar>("frameOrigin", VGREAT)
+        state.getOrDefault<scalar>("frameOrigin", VGREAT)
      == frame_->origin();
 
     if (inFrame.x.cols() && sameFrame)
@@ -383,7 +384,7 @@ void Foam::aerosol::aerosolCloud::prepareFrame(const dictionary& state)
     const boundBox& box = domain_->bounds();
     const boundBox chamber(mesh_.points(), true);
     const scalar now = mesh_.time().value();
-    const scalar start = state.lookupOrDefault<scalar>("began", now);
+    const scalar start = state.getOrDefault<scalar>("began", now);
 
     if (!chamber.contains(box))
     {
@@ -431,7 +432,7 @@ void Foam::aerosol::aerosolCloud::prepareFrame(const dictionary& state)
         {
             const auto before = [&](const word& component)
             {
-                return state.lookupOrDefault<scalar>(component, VGREAT);
+                return state.getOrDefault<scalar>(component, VGREAT);
             };
             const bool same =
                 before("frameVelocityX") == (*mean)(0)
@@ -565,7 +566,7 @@ void Foam::aerosol::aerosolCloud::applyLaws(const dictionary& state)
     }
 
     // Not that of the time: decomposePar makes none for a rank without fields
-    step_ = state.lookupOrDefault<label>("step", mesh_.time().timeIndex());
+    step_ = state.getOrDefault<label>("step", mesh_.time().timeIndex());
 
     // If it is not known, a domain that is carried along is carried by it
     motion_.setMeanFlow(sound_.meanFlow().value_or(Eigen::Vector3d::Zero()));
@@ -581,7 +582,7 @@ void Foam::aerosol::aerosolCloud::takeHistory(const dictionary& state)
 
     const List<scalar> before
     (
-        state.lookupOrDefault<List<scalar>>("historyTimes", List<scalar>())
+        state.getOrDefault<List<scalar>>("historyTimes", List<scalar>())
     );
 
     bool same = before.size() == times.size() && !state.empty();
