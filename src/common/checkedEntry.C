@@ -220,7 +220,7 @@ Foam::scalar Foam::readNonNegative
 
 Foam::label Foam::readSeed(const dictionary& dict)
 {
-    const label seed = dict.lookupOrDefault<label>("seed", 1);
+    const label seed = dict.getOrDefault<label>("seed", 1);
 
     if (seed < 0)
     {
@@ -272,7 +272,7 @@ Foam::vector Foam::readDirection
     const vector& defaultValue
 )
 {
-    const vector value = dict.lookupOrDefault<vector>(key, defaultValue);
+    const vector value = dict.getOrDefault<vector>(key, defaultValue);
 
     if (mag(value) < VSMALL)
     {

@@ -44,9 +44,10 @@ x = np.linspace(0, LENGTH, 200)
 
 for directory, colour in zip(times, colours):
     t = float(directory.name)
+    velocities = case/"postProcessing/velocityProfile"/directory.name
     label = f"{t*FREQUENCY:.3g} periods"
     p = runTables.Table(directory/"axis_p.xy").numbers()
-    u = runTables.Table(directory/"axis_U.xy").numbers()
+    u = runTables.Table(velocities/"axis_U.xy").numbers()
     if not p.size or not u.size:
         runTables.fail(f"the tables of {directory} are empty")
 

@@ -5,6 +5,7 @@
 
 #include "progressReport.H"
 #include "checkedEntry.H"
+#include "foamVersion.H"
 #include "Pstream.H"
 #include "Time.H"
 
@@ -57,7 +58,7 @@ bool Foam::progressReport::due() const
      || time_.value() > time_.endTime().value() - 0.5*time_.deltaTValue();
 
     // The clocks of the ranks differ
-    Pstream::scatter(now);
+    broadcast(now);
 
     return now;
 }

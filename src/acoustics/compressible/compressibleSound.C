@@ -67,7 +67,7 @@ Foam::acoustics::compressibleSound::compressibleSound
 )
 :
     meshSound(mesh, dict),
-    logSolvers_(dict.lookupOrDefault("logSolvers", false)),
+    logSolvers_(dict.getOrDefault("logSolvers", false)),
     // It marks the last corrector in the mesh, hence not const
     pimple_(const_cast<fvMesh&>(mesh), "PIMPLE", false),
     p_(internalEnergy().p()),

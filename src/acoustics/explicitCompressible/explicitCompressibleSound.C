@@ -101,7 +101,7 @@ void Foam::acoustics::explicitCompressibleSound::checkLaminar() const
 
     if
     (
-        turbulence.lookupOrDefault<word>("simulationType", "laminar")
+        turbulence.getOrDefault<word>("simulationType", "laminar")
      != "laminar"
     )
     {
@@ -361,7 +361,7 @@ Foam::acoustics::explicitCompressibleSound::explicitCompressibleSound
 )
 :
     meshSound(mesh, dict),
-    force_(dict.lookupOrDefault("force", word::null)),
+    force_(dict.getOrDefault("force", word::null)),
     fvOptions_(fv::options::New(mesh)),
     stencils_(mesh),
     fluxes_(constants(*thermo_, gas()), stencils_.faces()),
@@ -468,7 +468,10 @@ void Foam::acoustics::explicitCompressibleSound::step()
     }
 
     const vectorField force(forces());
-    const vectorField U0(coupled_ ? U_.primitiveField() : vectorField());
+    const vectorField U0
+    (
+        coupled_ ? vectorField(U_.primitiveField()) : vectorField()
+    );
 
     for (label part = 0; part < n; ++part)
     {

@@ -346,6 +346,9 @@ Foam::acoustics::faceStencils::faceStencils(const fvMesh& mesh)
     inner_(nBoundary_, -1),
     coupled_(nBoundary_, false)
 {
+    // Made on demand, by all ranks together: some may have no use for it
+    mesh.deltaCoeffs();
+
     const label start = mesh.nInternalFaces();
 
     // Ghosts of empty patches are none

@@ -261,6 +261,7 @@ Foam::acoustics::gasBoundary::gasBoundary
     step_(1)
 {
     const fvMesh& mesh = p.mesh();
+    const vectorField& C = mesh.cellCentres();
 
     forAll(mesh.boundary(), patchi)
     {
@@ -313,12 +314,12 @@ Foam::acoustics::gasBoundary::gasBoundary
             b.far[i] = stencils.inner(start + i);
 
             const point& Cf = fvp.Cf()[i];
-            b.nearDistance[i] = (Cf - mesh.C()[b.near[i]]) & b.normal[i];
+            b.nearDistance[i] = (Cf - C[b.near[i]]) & b.normal[i];
 
             // Of a cell of another rank it is as far as on equal cells
             b.farDistance[i] =
                 b.far[i] < mesh.nCells()
-              ? (Cf - mesh.C()[b.far[i]]) & b.normal[i]
+              ? (Cf - C[b.far[i]]) & b.normal[i]
               : 3*b.nearDistance[i];
         }
 

@@ -5,6 +5,7 @@
 
 #include "cellField.H"
 
+#include "foamVersion.H"
 #include "regionSampler.H"
 #include "volFields.H"
 #include "zeroGradientFvPatchFields.H"
@@ -86,12 +87,10 @@ Foam::acoustics::largestValue::largestValue
     values[Pstream::myProcNo()] = value;
     if (cell >= 0)
     {
-        places[Pstream::myProcNo()] = mesh.C()[cell];
+        places[Pstream::myProcNo()] = mesh.cellCentres()[cell];
     }
-    Pstream::gatherList(values);
-    Pstream::scatterList(values);
-    Pstream::gatherList(places);
-    Pstream::scatterList(places);
+    gatherToAll(values);
+    gatherToAll(places);
 
     processor = findMax(values);
     value = values[processor];

@@ -8,6 +8,7 @@
 #include "acousticPistonFvPatchVectorField.H"
 #include "acousticPressureFvPatchScalarField.H"
 #include "checkedEntry.H"
+#include "foamVersion.H"
 #include "mathematicalConstants.H"
 #include "soundLevel.H"
 #include "volFields.H"
@@ -102,7 +103,7 @@ Foam::wordList Foam::acoustics::levelControl::sources
     }
 
     const wordList patches =
-        dict.lookupOrDefault<wordList>("patches", wordList(all));
+        dict.getOrDefault<wordList>("patches", wordList(all));
 
     for (const word& name : patches)
     {
@@ -284,8 +285,7 @@ void Foam::acoustics::levelControl::control()
             }
             values.last() = std::sqrt(max(meanSquare[loudest.cell], scalar(0)));
         }
-        Pstream::listCombineGather(values, plusEqOp<scalar>());
-        Pstream::listCombineScatter(values);
+        combineToAll(values, plusEqOp<scalar>());
 
         for (size_t j = 0; j < periods_.size(); ++j)
         {
@@ -450,7 +450,7 @@ Foam::acoustics::levelControl::levelControl
          "rampPeriods"}
     );
 
-    const word place = dict.lookupOrDefault<word>("place", "maximum");
+    const word place = dict.getOrDefault<word>("place", "maximum");
 
     if (place != "maximum" && place != "point")
     {

@@ -84,8 +84,8 @@ void Foam::acoustics::meshSound::checkState
     {
         FatalErrorInFunction
             << "The gas has p = " << p << " Pa, T = " << T << " K at "
-            << mesh_.C()[celli] << ", time " << mesh_.time().timeName()
-            << " s." << nl
+            << mesh_.cellCentres()[celli] << ", time "
+            << mesh_.time().timeName() << " s." << nl
             << "The solution has diverged: see the warnings at the start"
             << " of the log about schemes, outer correctors and"
             << " resolution, and check the amplitude of the source"

@@ -7,6 +7,7 @@
 
 #include "polynomialFit.H"
 
+#include "foamVersion.H"
 #include "polyMesh.H"
 #include "Pstream.H"
 
@@ -111,10 +112,8 @@ Foam::acoustics::regionSampler::gatherCells
     centres[me] = vectorField(mesh.cellCentres(), chosen);
     sizes[me] = chosenSize;
 
-    Pstream::gatherList(centres);
-    Pstream::scatterList(centres);
-    Pstream::gatherList(sizes);
-    Pstream::scatterList(sizes);
+    gatherToAll(centres);
+    gatherToAll(sizes);
 
     // The last bits of a centre depend on the order of the cell's faces, and
     // thus on the decomposition: round them off
@@ -381,8 +380,7 @@ void Foam::acoustics::regionSampler::sample
     gathered[Pstream::myProcNo()] =
         vectorField(U, localCells_);
 
-    Pstream::gatherList(gathered);
-    Pstream::scatterList(gathered);
+    gatherToAll(gathered);
 
     velocityLattice::values cellVelocity(4, source_.size());
 

@@ -304,7 +304,7 @@ Foam::acoustics::untilPeriodic::untilPeriodic
     (
         readPositive(dict, "harmonicTolerance", dimless, 1e-3)
     ),
-    resolveEvery_(dict.lookupOrDefault<label>("resolveEvery", 0)),
+    resolveEvery_(dict.getOrDefault<label>("resolveEvery", 0)),
     state_
     (
         IOobject
@@ -318,7 +318,7 @@ Foam::acoustics::untilPeriodic::untilPeriodic
         )
     ),
     expectedAmplitude_(-1),
-    sum_(frequency(), dict.lookupOrDefault<label>("harmonics", 5)),
+    sum_(frequency(), dict.getOrDefault<label>("harmonics", 5)),
     nSteady_(0),
     replaying_(state_.size()),
     handOver_(0),

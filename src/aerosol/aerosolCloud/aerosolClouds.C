@@ -46,7 +46,7 @@ void Foam::aerosol::aerosolClouds::makeClouds
         false
     );
 
-    if (typeFilePath<IOdictionary>(io).empty())
+    if (io.globalFilePath(IOdictionary::typeName).empty())
     {
         Info<< "No constant/aerosolProperties: sound without particles" << nl
             << endl;

@@ -257,7 +257,7 @@ Foam::dictionary Foam::aerosol::agglomerationTables::sizeBins
 
     const scalar min = readPositive(given, "min", dimLength, smallest);
     const scalar max = readPositive(given, "max", dimLength, 4*largest);
-    const label n = given.lookupOrDefault<label>("n", 32);
+    const label n = given.getOrDefault<label>("n", 32);
 
     if (max <= min || n < 1)
     {

@@ -5,6 +5,7 @@
 
 #include "representedCells.H"
 
+#include "foamVersion.H"
 #include "fvMesh.H"
 #include "Pstream.H"
 #include "volMesh.H"
@@ -184,8 +185,7 @@ void Foam::aerosol::representedCells::add
         }
     }
 
-    Pstream::listCombineGather(sums, plusEqOp<scalar>());
-    Pstream::listCombineScatter(sums);
+    combineToAll(sums, plusEqOp<scalar>());
 
     bins /= size_.prod();
 

@@ -382,7 +382,7 @@ bool Foam::functionObjects::soundPressureLevel::read(const dictionary& dict)
     writeFile::read(dict);
 
     const scalar frequency = readPositive(dict, "frequency", dimless/dimTime);
-    const label nHarmonics = dict.lookupOrDefault<label>("harmonics", 3);
+    const label nHarmonics = dict.getOrDefault<label>("harmonics", 3);
 
     if (nHarmonics < 1)
     {
@@ -392,15 +392,15 @@ bool Foam::functionObjects::soundPressureLevel::read(const dictionary& dict)
             << exit(FatalIOError);
     }
 
-    pName_ = dict.lookupOrDefault<word>("p", "p");
-    UName_ = dict.lookupOrDefault<word>("U", "U");
-    writeCoefficients_ = dict.lookupOrDefault("coefficients", false);
+    pName_ = dict.getOrDefault<word>("p", "p");
+    UName_ = dict.getOrDefault<word>("U", "U");
+    writeCoefficients_ = dict.getOrDefault("coefficients", false);
 
     points_.clear();
     for
     (
         const point& x
-      : dict.lookupOrDefault<pointField>("probeLocations", pointField())
+      : dict.getOrDefault<pointField>("probeLocations", pointField())
     )
     {
         points_.emplace_back(mesh_, x);

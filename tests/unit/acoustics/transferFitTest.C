@@ -16,19 +16,19 @@ using namespace Foam::acoustics;
 namespace
 {
 
-using complex = std::complex<double>;
+using phasor = std::complex<double>;
 
 //- Response of one mode to a drive, from silence
-std::vector<complex> respond
+std::vector<phasor> respond
 (
-    const complex& pole,
-    const complex& gain,
-    const std::vector<complex>& drive
+    const phasor& pole,
+    const phasor& gain,
+    const std::vector<phasor>& drive
 )
 {
-    std::vector<complex> response;
-    complex A = 0;
-    for (const complex& D : drive)
+    std::vector<phasor> response;
+    phasor A = 0;
+    for (const phasor& D : drive)
     {
         A = pole*A + gain*D;
         response.push_back(A);
@@ -41,19 +41,19 @@ std::vector<complex> respond
 
 TEST(transferFit, tellsTheSettledResponseBeforeItIsReached)
 {
-    const complex gain(0.3, -2);
+    const phasor gain(0.3, -2);
 
     // At resonance with a quality of 20 and 200, and a mode that rings beside
     for
     (
-        const complex& pole
-      : {complex(0.855, 0), complex(0.984, 0), std::polar(0.999, 2.5)}
+        const phasor& pole
+      : {phasor(0.855, 0), phasor(0.984, 0), std::polar(0.999, 2.5)}
     )
     {
         // A drive that changes
-        const std::vector<complex> drive({1, 1.2, 2, 2, 1.5});
+        const std::vector<phasor> drive({1, 1.2, 2, 2, 1.5});
         const transferFit fit(respond(pole, gain, drive), drive);
-        const complex exact = gain/(1.0 - pole);
+        const phasor exact = gain/(1.0 - pole);
 
         EXPECT_NEAR(std::abs(fit.transfer()/exact - 1.0), 0, 1e-3) << pole;
         EXPECT_NEAR(std::abs(fit.pole() - pole), 0, 1e-4);
@@ -63,8 +63,8 @@ TEST(transferFit, tellsTheSettledResponseBeforeItIsReached)
 
 TEST(transferFit, isTheRatioOfWhatIsSettled)
 {
-    const std::vector<complex> response(4, complex(3, 4));
-    const std::vector<complex> drive(4, complex(0, 0.1));
+    const std::vector<phasor> response(4, phasor(3, 4));
+    const std::vector<phasor> drive(4, phasor(0, 0.1));
 
     const transferFit fit(response, drive);
 
@@ -75,10 +75,10 @@ TEST(transferFit, isTheRatioOfWhatIsSettled)
 TEST(transferFit, needsNoMoreThanNumbersThatAreFinite)
 {
     // Silence, and growth that no passive chamber shows
-    const std::vector<complex> none(4, complex(0, 0));
+    const std::vector<phasor> none(4, phasor(0, 0));
     EXPECT_TRUE(std::isfinite(std::abs(transferFit(none, none).transfer())));
 
-    const std::vector<complex> growing({1, 2, 4, 8});
+    const std::vector<phasor> growing({1, 2, 4, 8});
     const transferFit fit(growing, {1, 1, 1, 1});
     EXPECT_TRUE(std::isfinite(std::abs(fit.transfer())));
     EXPECT_LT(std::abs(fit.pole()), 1);

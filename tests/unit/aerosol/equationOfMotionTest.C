@@ -25,7 +25,7 @@ namespace
 const double pi = EIGEN_PI;
 
 using vec = Eigen::Vector3d;
-using complex = std::complex<double>;
+using phasor = std::complex<double>;
 
 dictionary parse(const std::string& text)
 {
@@ -404,13 +404,13 @@ TEST(equationOfMotion, isEntrainedAsStokesSays)
             };
 
             // On its periodic path from the beginning
-            std::vector<complex> H;
+            std::vector<phasor> H;
             for (int i = 0; i < p.size(); ++i)
             {
                 const double tau =
                     s.density*p.d(i)*p.d(i)/(18*gas.mu);
 
-                H.push_back(1.0/complex(1, omega*tau));
+                H.push_back(1.0/phasor(1, omega*tau));
                 p.v(0, i) = u*H[i].real();
             }
 
@@ -418,7 +418,7 @@ TEST(equationOfMotion, isEntrainedAsStokesSays)
 
             vectors u0 = gasVelocity(0).replicate(1, p.size());
             equationOfMotion::state end;
-            std::vector<complex> response(p.size());
+            std::vector<phasor> response(p.size());
             vectors start;
 
             for (int step = 0; step < 20*n; ++step)

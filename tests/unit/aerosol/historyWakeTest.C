@@ -26,7 +26,7 @@ vec exactly(const vec& r, const complexVec& U, const double phase)
     return
         oscillatingHistory
         (
-            r, complexVec(-U/complex(0, omega)), phase, omega, radius, nu
+            r, complexVec(-U/phasor(0, omega)), phase, omega, radius, nu
         )
       + dipole(r, (U*std::polar(1.0, phase)).real());
 }
@@ -68,7 +68,7 @@ TEST(historyWake, isTheIntegralOfAnyAmplitude)
                     straight
                   ? complexVec
                     (
-                        (r + 0.3*x*delta*from.point(1)).cast<complex>()
+                        (r + 0.3*x*delta*from.point(1)).cast<phasor>()
                     )
                   : randomSlip(from, 1);
                 U *= amplitude*delta*omega/U.norm();
@@ -140,7 +140,7 @@ TEST(historyWake, hasTheMeanOfTheIntegral)
 TEST(historyWake, isOseensWakeAsTheFrequencyGoesToZero)
 {
     const auto Oseen = wake::New(parse("type Oseen; range 20;"));
-    const complexVec U(0.3, complex(0, 0.2), 0.1);
+    const complexVec U(0.3, phasor(0, 0.2), 0.1);
     const double Stokeslet = 0.75*radius*U.norm();
 
     double before = 1;
@@ -180,7 +180,7 @@ TEST(historyWake, isOseensWakeAsTheFrequencyGoesToZero)
 TEST(historyWake, isTheValueAtTheSurfaceWithin)
 {
     const auto code = swingingWake("history", "frequency 1000; range 20;");
-    const complexVec U(0.3, complex(0, 0.2), 0.1);
+    const complexVec U(0.3, phasor(0, 0.2), 0.1);
     const vec n = vec(1, 2, 3).normalized();
 
     EXPECT_LT
@@ -227,7 +227,7 @@ TEST(historyWake, isBelowTheToleranceOutOfRange)
                 from.point(1).normalized()*range*from.logUniform(1.0, 1.2);
             const vec axis =
                 (r.normalized() + 0.2*from.point(1)).normalized();
-            const auto exact = integrated(r, speed*axis.cast<complex>());
+            const auto exact = integrated(r, speed*axis.cast<phasor>());
 
             // But for the dipole of the particle's size
             const double size = std::pow(radius/r.norm(), 3)*speed;
@@ -272,7 +272,7 @@ TEST(historyWake, endsWhereLittleIsLeft)
             {
                 const complexVec U =
                     speed*std::polar(1.0, 2*pi*k/nPhases)
-                   *axis.cast<complex>();
+                   *axis.cast<phasor>();
                 const double other = bothSwing ? 1 : 0;
                 vectors P(3, 2);
                 vectors Q(3, 2);
@@ -365,8 +365,8 @@ TEST(historyWake, isAppliedToThePairsThatAreNear)
             if (i != j && paths[j].isNear(r.data(), paths[i]))
             {
                 const complexVec U =
-                    all.slip.col(j).cast<complex>()
-                  + complex(0, 1)*all.quadrature.col(j).cast<complex>();
+                    all.slip.col(j).cast<phasor>()
+                  + phasor(0, 1)*all.quadrature.col(j).cast<phasor>();
                 sum += disturbance(code, r, U);
                 ++nNear;
             }
@@ -385,7 +385,7 @@ TEST(wakesOfSound, takeSettlingForWhatHasAlwaysBeen)
     const auto Oseen = wake::New(parse("type Oseen; range 20;"));
     const vec r(30e-6, 10e-6, -20e-6);
     const vec settling(0, 0, 5e-3);
-    const complexVec U(0.3, complex(0, 0.2), 0.1);
+    const complexVec U(0.3, phasor(0, 0.2), 0.1);
 
     for (const std::string& type : strings{"memory", "history"})
     {
@@ -396,7 +396,7 @@ TEST(wakesOfSound, takeSettlingForWhatHasAlwaysBeen)
                 *code, r, complexVec::Zero(), 0, radius, settling
             );
         const vec exact =
-            disturbance(*Oseen, r, settling.cast<complex>());
+            disturbance(*Oseen, r, settling.cast<phasor>());
 
         EXPECT_LT((alone - exact).norm(), 1e-6*exact.norm()) << type;
 

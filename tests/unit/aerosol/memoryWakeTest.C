@@ -23,8 +23,8 @@ namespace
 
 double meanFactor(const double x)
 {
-    const complex l = complex(1, 1)*x;
-    const complex B =
+    const phasor l = phasor(1, 1)*x;
+    const phasor B =
         6.0/(l*l) - 2.0*std::exp(-l)*(1.0 + 3.0/l + 3.0/(l*l));
 
     return -2*B.imag()/(x*x);
@@ -46,12 +46,12 @@ TEST(historyIntegral, isTheOscillatoryStokesletOfASmallAmplitude)
         const complexVec U = randomSlip(from, 1e-4*x*omega*delta);
 
         // Pozrikidis, Boundary Integral and Singularity Methods, 1992, 2.6
-        const complex l = complex(1, 1)*x;
-        const complex A =
+        const phasor l = phasor(1, 1)*x;
+        const phasor A =
             2.0*std::exp(-l)*(1.0 + 1.0/l + 1.0/(l*l)) - 2.0/(l*l);
-        const complex B =
+        const phasor B =
             6.0/(l*l) - 2.0*std::exp(-l)*(1.0 + 3.0/l + 3.0/(l*l));
-        const complexVec n = r.normalized().cast<complex>();
+        const complexVec n = r.normalized().cast<phasor>();
         const complexVec exact =
            -0.75*radius/r.norm()*(A*U + B*n*(n.transpose()*U)(0));
 
@@ -182,7 +182,7 @@ TEST(memoryWake, isStokesFlowAndOseensMeanNextToTheParticle)
     const auto code = swingingWake("memory", "frequency 1000; range 20;");
     const auto quasiSteady = wake::New(parse("type Oseen; range 20;"));
     const vec r(0.6e-6, 0.8e-6, 0.3e-6);
-    const complexVec U(complex(1e-3, 2e-3), complex(0, 1e-3), 2e-3);
+    const complexVec U(phasor(1e-3, 2e-3), phasor(0, 1e-3), 2e-3);
     const double a = 0.1e-6;
     const vec n = r.normalized();
 
@@ -195,8 +195,8 @@ TEST(memoryWake, isStokesFlowAndOseensMeanNextToTheParticle)
     );
 
     // What is missing is of the order of r/delta
-    const complexVec m = n.cast<complex>();
-    const complex along = (m.transpose()*U)(0);
+    const complexVec m = n.cast<phasor>();
+    const phasor along = (m.transpose()*U)(0);
     const double q = a/r.norm();
     const complexVec Stokes =
         -0.75*q*(U + along*m) - 0.25*q*q*q*(U - 3.0*along*m);
@@ -279,7 +279,7 @@ TEST(memoryWake, isBelowTheToleranceOutOfRange)
                 from.point(1).normalized()
                *std::max(range, a)*from.logUniform(1.0, 20);
             const vec axis = from.point(1).normalized();
-            const complexVec U = speed*axis.cast<complex>();
+            const complexVec U = speed*axis.cast<phasor>();
 
             const auto found = analyse
             (
@@ -377,8 +377,8 @@ TEST(memoryWake, knowsTheQuadratureOfASwingingParticle)
             for (int i = 0; i < 3; ++i)
             {
                 const double s = omega/p.rate(i);
-                const complex U =
-                    u0*complex(0, s)/complex(1, s)
+                const phasor U =
+                    u0*phasor(0, s)/phasor(1, s)
                    *std::polar(1.0, phase + part*omega*h);
 
                 EXPECT_LT

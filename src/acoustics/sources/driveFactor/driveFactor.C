@@ -36,10 +36,10 @@ Foam::acoustics::driveFactor::driveFactor
         )
     ),
     patches_(patches),
-    from_(lookupOrDefault<scalar>("from", 1)),
-    to_(lookupOrDefault<scalar>("to", 1)),
-    begin_(lookupOrDefault<scalar>("begin", -GREAT)),
-    end_(lookupOrDefault<scalar>("end", -GREAT))
+    from_(getOrDefault<scalar>("from", 1)),
+    to_(getOrDefault<scalar>("to", 1)),
+    begin_(getOrDefault<scalar>("begin", -GREAT)),
+    end_(getOrDefault<scalar>("end", -GREAT))
 {}
 
 

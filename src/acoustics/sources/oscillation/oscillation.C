@@ -63,8 +63,8 @@ Foam::acoustics::oscillation::oscillation
     (
         dict.found("startTime") ? readFinite(dict, "startTime", dimTime) : 0
     ),
-    periods_(dict.lookupOrDefault<scalar>("periods", 0)),
-    countedTime_(dict.lookupOrDefault<scalar>("countedTime", startTime_))
+    periods_(dict.getOrDefault<scalar>("periods", 0)),
+    countedTime_(dict.getOrDefault<scalar>("countedTime", startTime_))
 {
     const scalar frequency = frequency_->value(max(now, startTime_));
 

@@ -60,7 +60,7 @@ Foam::vector readLength(const Foam::dictionary& dict)
 bool readSound(const Foam::dictionary& dict)
 {
     const Foam::word sound =
-        dict.lookupOrDefault<Foam::word>("sound", "representative");
+        dict.getOrDefault<Foam::word>("sound", "representative");
 
     if (sound != "representative" && sound != "resolved")
     {

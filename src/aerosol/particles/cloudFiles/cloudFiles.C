@@ -143,8 +143,7 @@ Foam::labelList Foam::aerosol::cloudFiles::mine
         }
     }
 
-    Pstream::listCombineGather(writer, minEqOp<label>());
-    Pstream::listCombineScatter(writer);
+    combineToAll(writer, minEqOp<label>());
 
     const label lost = writer.find(nobody);
 
@@ -173,7 +172,7 @@ bool Foam::aerosol::cloudFiles::writeField
 {
     IOField<Type> field
     (
-        cloud_->fieldIOobject(name, IOobject::NO_READ),
+        cloudFieldIO(*cloud_, name, IOobject::NO_READ),
         particles.size()
     );
 
@@ -203,15 +202,14 @@ bool Foam::aerosol::cloudFiles::writeState
 template<class Type>
 Foam::Field<Type> Foam::aerosol::cloudFiles::readField(const word& name) const
 {
-    IOobject io(cloud_->fieldIOobject(name, IOobject::MUST_READ));
+    IOobject io(cloudFieldIO(*cloud_, name, IOobject::MUST_READ));
 
     // A rank without particles has no files
     const bool mine = io.typeHeaderOk<IOField<Type>>(true);
 
     List<Field<Type>> parts(Pstream::nProcs());
     parts[Pstream::myProcNo()] = IOField<Type>(io, mine);
-    Pstream::gatherList(parts);
-    Pstream::scatterList(parts);
+    gatherToAll(parts);
 
     return ListListOps::combine<Field<Type>>(parts, accessOp<Field<Type>>());
 }
@@ -223,7 +221,7 @@ Foam::Field<Type> Foam::aerosol::cloudFiles::readFieldIfPresent
     const word& name
 ) const
 {
-    IOobject io(cloud_->fieldIOobject(name, IOobject::MUST_READ));
+    IOobject io(cloudFieldIO(*cloud_, name, IOobject::MUST_READ));
 
     const bool found =
         returnReduce(io.typeHeaderOk<IOField<Type>>(true), orOp<bool>());
@@ -241,10 +239,7 @@ Foam::aerosol::cloudFiles::cloudFiles
 )
 :
     mesh_(mesh),
-    cloud_
-    (
-        new passiveParticleCloud(mesh, cloudName, IDLList<passiveParticle>())
-    )
+    cloud_(newEmptyCloud<passiveParticleCloud>(mesh, cloudName))
 {
     cloud_->regIOobject::checkOut();
 }
@@ -261,7 +256,7 @@ bool Foam::aerosol::cloudFiles::found() const
 
     for (const word name : {"coordinates", "positions"})
     {
-        IOobject io(cloud_->fieldIOobject(name, IOobject::MUST_READ));
+        IOobject io(cloudFieldIO(*cloud_, name, IOobject::MUST_READ));
 
         here = io.typeHeaderOk<IOField<vector>>(false) || here;
     }
@@ -493,7 +488,7 @@ void Foam::aerosol::cloudFiles::write
     // the same time would be taken for its own
     if (mine.empty())
     {
-        rmDir(cloud_->fieldIOobject("id", IOobject::NO_READ).path(), true);
+        rmDir(cloudFieldIO(*cloud_, "id", IOobject::NO_READ).path(), true);
     }
 
     const Time& runTime = mesh_.time();
@@ -533,7 +528,7 @@ void Foam::aerosol::cloudFiles::write
     }
     else
     {
-        rm(cloud_->fieldIOobject("UBrownian", IOobject::NO_READ).objectPath());
+        rm(cloudFieldIO(*cloud_, "UBrownian", IOobject::NO_READ).objectPath());
     }
 
     if (frame.x.cols())
@@ -551,7 +546,7 @@ void Foam::aerosol::cloudFiles::write
     {
         for (const word name : {"framePosition", "frameU"})
         {
-            rm(cloud_->fieldIOobject(name, IOobject::NO_READ).objectPath());
+            rm(cloudFieldIO(*cloud_, name, IOobject::NO_READ).objectPath());
         }
     }
 
@@ -581,7 +576,7 @@ void Foam::aerosol::cloudFiles::write
     {
         rm
         (
-            cloud_->fieldIOobject("historyStep", IOobject::NO_READ).objectPath()
+            cloudFieldIO(*cloud_, "historyStep", IOobject::NO_READ).objectPath()
         );
     }
 
@@ -590,7 +585,7 @@ void Foam::aerosol::cloudFiles::write
     {
         const fileName left
         (
-            cloud_->fieldIOobject(historyName(j), IOobject::NO_READ)
+            cloudFieldIO(*cloud_, historyName(j), IOobject::NO_READ)
            .objectPath()
         );
 

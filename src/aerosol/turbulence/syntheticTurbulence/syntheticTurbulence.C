@@ -171,7 +171,7 @@ Foam::scalar readShearRate
 {
     using namespace Foam;
 
-    const bool ofMeanFlow = dict.lookupOrDefault<Switch>("meanFlow", false);
+    const bool ofMeanFlow = dict.getOrDefault<Switch>("meanFlow", false);
 
     if (dict.found("dissipation") + dict.found("shearRate") + ofMeanFlow != 1)
     {
@@ -237,7 +237,7 @@ Foam::scalar readAccelerationFactor
 {
     using namespace Foam;
 
-    const bool ofMeanFlow = dict.lookupOrDefault<Switch>("meanFlow", false);
+    const bool ofMeanFlow = dict.getOrDefault<Switch>("meanFlow", false);
 
     const scalar factor =
         readNonNegative

@@ -31,7 +31,7 @@ constexpr double spacing = 0.5;
 //- The share of the smaller piece
 scalar readShare(const dictionary& dict)
 {
-    const word fragments(dict.lookupOrDefault<word>("fragments", "erosion"));
+    const word fragments(dict.getOrDefault<word>("fragments", "erosion"));
 
     if (fragments == "erosion" && !dict.found("share"))
     {

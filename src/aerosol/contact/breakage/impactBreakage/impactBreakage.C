@@ -35,7 +35,7 @@ Foam::aerosol::impactBreakage::impactBreakage(const dictionary& dict)
             dict,
             "factor",
             dimless,
-            dict.lookupOrDefault<word>("fragments", "erosion") == "two" ? 10 : 3
+            dict.getOrDefault<word>("fragments", "erosion") == "two" ? 10 : 3
         )
     )
 {

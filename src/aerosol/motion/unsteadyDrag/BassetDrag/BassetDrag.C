@@ -115,7 +115,7 @@ Foam::aerosol::BassetDrag::BassetDrag
     }
 
     const Tuple2<scalar, scalar> range =
-        dict.lookupOrDefault<Tuple2<scalar, scalar>>
+        dict.getOrDefault<Tuple2<scalar, scalar>>
         (
             "frequencies", {lowest*frequency, highest*frequency}
         );

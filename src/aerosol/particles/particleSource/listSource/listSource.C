@@ -103,7 +103,7 @@ void Foam::aerosol::listSource::readEntries()
         positions_.emplace_back(x.x(), x.y(), x.z());
         diameters_.push_back(readPositive(entry, "diameter", dimLength));
         where_.push_back("number " + std::to_string(i + 1) + " of 'particles'");
-        addPrimaries(entry.lookupOrDefault<scalar>("primaries", 1), i);
+        addPrimaries(entry.getOrDefault<scalar>("primaries", 1), i);
 
         if (entry.found("velocity"))
         {

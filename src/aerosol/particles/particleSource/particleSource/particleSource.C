@@ -52,7 +52,7 @@ Foam::aerosol::particleSource::particleSource(const dictionary& dict)
 {
     const word velocity
     (
-        dict.lookupOrDefault<word>("initialVelocity", "gas")
+        dict.getOrDefault<word>("initialVelocity", "gas")
     );
 
     if (velocity != "gas" && velocity != "rest")
