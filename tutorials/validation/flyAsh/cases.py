@@ -55,7 +55,7 @@ MODELS = {
     "historyBrownian": {
         "wake": "type history;", "Brownian": "type OrnsteinUhlenbeck;"
     },
-    # Eddies below the size of the box, by what they dissipate, m2/s3
+    # Turbulence, by what it dissipates, m2/s3
     "turbulence1": {"turbulence": EDDIES.format(1)},
     "turbulence10": {"turbulence": EDDIES.format(10)},
     "turbulence100": {"turbulence": EDDIES.format(100)},
