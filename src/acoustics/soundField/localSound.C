@@ -75,8 +75,7 @@ void Foam::acoustics::localSound::analyse()
     const scalar period = 1/frequency();
     const scalar begin = times_.back() - period;
 
-    solved_.setZero(3, 0);
-
+    // Before a whole period those of a replay, if there was one
     if (times_.front() > begin + 1e-6*period)
     {
         return;
@@ -242,11 +241,12 @@ void Foam::acoustics::localSound::follow(const scalar t, const scalar h)
         return;
     }
 
-    const bool known = sound_.harmonics(region_, centre(t)).has_value();
-
-    // A replay may be solved again
-    if (known && times_.empty())
+    if (const auto known = sound_.harmonics(region_, centre(t)))
     {
+        // A replay may be solved again
+        solved_ = *known;
+        times_.clear();
+        velocities_.clear();
         return;
     }
 
@@ -256,17 +256,24 @@ void Foam::acoustics::localSound::follow(const scalar t, const scalar h)
     }
 
     keep(t + h);
-
-    if (!known)
-    {
-        analyse();
-    }
+    analyse();
 }
 
 
 std::vector<Foam::scalar> Foam::acoustics::localSound::lastPeriod() const
 {
-    std::vector<scalar> numbers;
+    if (times_.empty())
+    {
+        return {};
+    }
+
+    std::vector<scalar> numbers{scalar(solved_.cols())};
+
+    for (Eigen::Index k = 0; k < solved_.size(); ++k)
+    {
+        numbers.push_back(solved_(k).real());
+        numbers.push_back(solved_(k).imag());
+    }
 
     for (std::size_t i = 0; i < times_.size(); ++i)
     {
@@ -289,7 +296,15 @@ void Foam::acoustics::localSound::setLastPeriod
     times_.clear();
     velocities_.clear();
 
-    for (std::size_t i = 0; i + 3 < numbers.size(); i += 4)
+    std::size_t next = 0;
+    solved_.setZero(3, label(numbers.at(next++)));
+
+    for (Eigen::Index k = 0; k < solved_.size(); ++k, next += 2)
+    {
+        solved_(k) = {numbers.at(next), numbers.at(next + 1)};
+    }
+
+    for (std::size_t i = next; i + 3 < numbers.size(); i += 4)
     {
         times_.push_back(numbers[i]);
         velocities_.push_back
@@ -297,11 +312,17 @@ void Foam::acoustics::localSound::setLastPeriod
             numbers[i + 1], numbers[i + 2], numbers[i + 3]
         });
     }
+}
 
-    if (times_.size())
-    {
-        analyse();
-    }
+
+Foam::scalar Foam::acoustics::localSound::amplitude(const scalar t) const
+{
+    const auto known =
+        representative_ && frequency() > 0
+      ? sound_.harmonics(region_, centre(t))
+      : std::nullopt;
+
+    return known ? known->col(0).norm() : sound_.expectedAmplitude();
 }
 
 
@@ -343,16 +364,7 @@ void Foam::acoustics::localSound::velocity
         return;
     }
 
-    if (frame_ == Eigen::Vector3d::Zero())
-    {
-        sound_.velocityIn(region_, t, x, u);
-        return;
-    }
-
-    const Eigen::Vector3d way = velocity_*(t - start_);
-
-    sound_.velocityIn(region_, t, x.colwise() + way, u);
-    u.colwise() -= frame_;
+    sound_.velocityIn(region_, t, x, u);
 }
 
 

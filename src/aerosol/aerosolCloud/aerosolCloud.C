@@ -116,7 +116,9 @@ Foam::aerosol::aerosolCloud::aerosolCloud
     step_(0),
     outgrown_(false),
     isNew_(true),
-    reached_(mesh.time().value())
+    reached_(mesh.time().value()),
+    amplitude_(-1),
+    largestAmplitude_(0)
 {
     cloudFiles::requireExact(mesh_.time());
 
@@ -281,9 +283,15 @@ Foam::dictionary Foam::aerosol::aerosolCloud::readParticles()
     prepareFrame(state);
 
     // Of another frame, where the mean flow has changed
+    const auto then = [&](const word& name)
+    {
+        return state.getOrDefault<scalar>(name, VGREAT);
+    };
     const bool sameFrame =
-        state.getOrDefault<scalar>("frameOrigin", VGREAT)
-     == frame_->origin();
+        then("frameOrigin") == frame_->origin()
+     && then("frameVelocityX") == frame_->velocity()(0)
+     && then("frameVelocityY") == frame_->velocity()(1)
+     && then("frameVelocityZ") == frame_->velocity()(2);
 
     if (inFrame.x.cols() && sameFrame)
     {
@@ -424,11 +432,8 @@ void Foam::aerosol::aerosolCloud::prepareFrame(const dictionary& state)
     {
         sound_.represent(box);
 
-        // All go with the mean flow, but those that act on the gas where
-        // they are
-        const std::optional<Eigen::Vector3d> mean = sound_.meanFlow();
-
-        if (mean && !coupled())
+        // All go with the mean flow
+        if (const auto mean = sound_.meanFlow())
         {
             const auto before = [&](const word& component)
             {
@@ -449,6 +454,11 @@ void Foam::aerosol::aerosolCloud::prepareFrame(const dictionary& state)
 
     sound_.move(frame_->domainVelocity(), frame_->velocity(), start);
     requireNoShear();
+
+    // The same after a restart, though a replay may know it better then
+    amplitude_ =
+        state.getOrDefault<scalar>("amplitude", sound_.amplitude(now));
+    motion_.setAmplitude(amplitude_);
 
     if (state.found("lastPeriod"))
     {
@@ -492,11 +502,16 @@ void Foam::aerosol::aerosolCloud::requireNoShear() const
 }
 
 
-void Foam::aerosol::aerosolCloud::requirePeriodicSound(const scalar t) const
+void Foam::aerosol::aerosolCloud::requirePeriodicSound(const scalar t)
 {
     // Nine points of each face
     const boundBox& box = domain_->bounds();
-    const scalar amplitude = sound_.velocityAmplitude();
+
+    // Not that of the moment, if no level is expected
+    largestAmplitude_ = std::max(largestAmplitude_, sound_.velocityAmplitude());
+    const scalar amplitude =
+        sound_.expectedAmplitude() >= 0 ? sound_.expectedAmplitude()
+      : largestAmplitude_;
 
     for (direction k = 0; k < vector::nComponents; ++k)
     {
@@ -531,8 +546,8 @@ void Foam::aerosol::aerosolCloud::requirePeriodicSound(const scalar t) const
                 << label(k) << ", differs by " << difference << " m/s, of a"
                 << " velocity amplitude of " << amplitude << " m/s. With"
                 << " 'sound resolved' it must be the same there, as in a box"
-                << " from wall to wall, or as long as whole wavelengths: set"
-                << " 'sound' to representative"
+                << " from one wall at rest to another, or as long as whole"
+                << " wavelengths: set 'sound' to representative"
                 << exit(FatalIOError);
         }
     }
@@ -709,6 +724,7 @@ Foam::dictionary Foam::aerosol::aerosolCloud::state() const
     dict.add("carriedWas", dict_.subOrEmptyDict("carried"));
     dict.add("began", frame_->start());
     dict.add("reached", reached_);
+    dict.add("amplitude", amplitude_);
     dict.add("frameOrigin", frame_->origin());
     dict.add("frameVelocityX", frame_->velocity()(0));
     dict.add("frameVelocityY", frame_->velocity()(1));
@@ -768,6 +784,19 @@ void Foam::aerosol::aerosolCloud::couple(gasReaction& reaction)
         FatalIOErrorInFunction(dict)
             << "A domain that is carried along stands for no part of the"
             << " chamber: coupling must be of type none"
+            << exit(FatalIOError);
+    }
+
+    // Particles act where they are, and feel the gas at the centre
+    const scalar longest = 0.05*sound_.gas().c/max(sound_.frequency(), SMALL);
+
+    if (domain_->representative() && cmptMax(domain_->bounds().span()) > longest)
+    {
+        FatalIOErrorInFunction(dict_.subDict("domain"))
+            << "A domain that acts on the gas, and is longer than "
+            << longest << " m, a twentieth of the wavelength, must have a"
+            << " resolved sound: its particles act on the gas where they"
+            << " are, and must feel it there. Set 'sound' to resolved"
             << exit(FatalIOError);
     }
 

@@ -221,3 +221,33 @@ def test_goes_on_as_if_nothing_had_happened(tmp_path, meshed, kind):
     else:
         for field, values in a.items():
             assert np.array_equal(values, b[field]), field
+
+
+def test_another_mean_flow_after_a_restart_moves_nothing(tmp_path, meshed):
+    """Without drag a particle keeps its velocity in the chamber, whatever
+    frames it is kept in, also if it goes on from the first time."""
+    case = AerosolCase(tmp_path/"case", meshed)
+    x0, v0 = np.array([0.0613, 1e-4, -1e-4]), np.array([0.3, 0.2, -0.1])
+    case.particles([(x0, 5e-6)])
+    case.replace(
+        "constant/aerosolProperties", r"diameter 5e-06;",
+        "diameter 5e-06; velocity (0.3 0.2 -0.1);",
+    )
+    for name in ("drag", "gravity", "wake", "contact"):
+        case.model(name, "type none;")
+    case.replace(
+        "constant/acousticProperties", "SPL         147;",
+        "SPL 147; velocity (5 3 1);",
+    )
+    case.exact_times(STEP, 10)
+    for end, flow in ((10, "(5 3 1)"), (20, "(1 0 0)"), (30, "(0 0 0)")):
+        case.replace(
+            "constant/acousticProperties", r"velocity \([^)]*\)",
+            f"velocity {flow}",
+        )
+        case.control("endTime", repr(end*STEP))
+        case.run("acousticDEMFoam")
+        cloud = case.cloud(case.times()[-1])
+        off = cloud["position"][0] - x0 - end*STEP*v0
+        assert np.abs(off - 5e-4*np.round(off/5e-4)).max() < 1e-15
+        assert np.abs(cloud["U"][0] - v0).max() < 1e-14

@@ -204,6 +204,7 @@ TEST(localSound, seesTheMeanFlowFromItsFrame)
 
     quiescent wind(parse("velocity (1 -2 3);"));
     localSound inWind(wind);
+    inWind.represent(boundBox(point(0, 0, 0), point(2, 2, 2)));
     inWind.move(frame, frame, 0);
 
     ASSERT_TRUE(inWind.meanFlow());

@@ -20,7 +20,9 @@ Description
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <set>
 
 using namespace Foam;
 using namespace Foam::aerosol;
@@ -247,9 +249,9 @@ TEST(representativeSound, driftsAsInAResolvedWaveWithAnyDrag)
                     1e3*inBox(i), 1e3*inTube(i)
                 );
 
-                // Of the fastest: the tube has the order of (u0/c) as well
-                const double most = inTube.abs().maxCoeff();
-                EXPECT_NEAR(inBox(i)/most, inTube(i)/most, 0.015)
+                // The standing wave is that of the place, which drifts, and
+                // has terms of higher order in the tube
+                EXPECT_NEAR(inBox(i)/inTube(i), 1, isStanding ? 0.03 : 0.003)
                     << which << ", " << 1e6*d[i] << " um";
             }
         }
@@ -349,7 +351,8 @@ TEST(representativeSound, givesTheSameContactsAtAnyPlace)
         }
     )
     {
-        std::vector<double> found;
+        // Who met whom, in all runs
+        std::vector<std::set<std::array<std::int64_t, 3>>> found;
 
         for (const int place : {0, 1, 2})
         {
@@ -361,7 +364,7 @@ TEST(representativeSound, givesTheSameContactsAtAnyPlace)
             const double x =
                 place == 2 ? 0 : place == 1 ? pi/4/k : pi/2/k;
 
-            double contacts = 0;
+            found.emplace_back();
             for (int seed = 1; seed <= (full() ? 10 : 1); ++seed)
             {
                 std::vector<sphere> spheres = aerosolOf
@@ -381,23 +384,36 @@ TEST(representativeSound, givesTheSameContactsAtAnyPlace)
                     vec(x, 0, 0)
                 );
                 box.run(1/(f*50), 2*50);
-                contacts += box.count();
+
+                for (const contacts::record& met : box.records())
+                {
+                    const auto pair = std::minmax(met.id1, met.id2);
+                    found.back().insert({seed, pair.first, pair.second});
+                }
             }
-            found.push_back(contacts);
         }
 
         measured
         (
-            "%s contacts: %.0f at the antinode, %.0f between, %.0f in a"
+            "%s contacts: %zu at the antinode, %zu between, %zu in a"
             " travelling wave\n",
-            wake, found[0], found[1], found[2]
+            wake, found[0].size(), found[1].size(), found[2].size()
         );
 
-        EXPECT_GT(found[0], 10);
+        EXPECT_GT(found[0].size(), 10u);
         for (const int place : {1, 2})
         {
-            // Most of them are the same: less than independent counts
-            EXPECT_NEAR(found[place], found[0], 1.5*std::sqrt(found[0]));
+            // Drifts of mm/s move particles by micrometres in two periods:
+            // most pairs are the same
+            double common = 0;
+            for (const auto& pair : found[0])
+            {
+                common += found[place].count(pair);
+            }
+
+            measured("    %.0f of them the same\n", common);
+            EXPECT_GT(common, 0.7*found[0].size());
+            EXPECT_LT(found[place].size(), 1.3*found[0].size() + 1);
         }
     }
 }
@@ -442,7 +458,7 @@ TEST(representativeSound, knowsTheHarmonicsOfASoundThatIsBeingSolved)
             acoustics::soundField::phasors::Constant(1, {0.4, -0.5})
         );
         vectors exact, u;
-        double least = VGREAT;
+        double swing = 0;
         double worst = 0;
 
         for (int n = 0; n < 3*steps; ++n)
@@ -460,7 +476,11 @@ TEST(representativeSound, knowsTheHarmonicsOfASoundThatIsBeingSolved)
             }
             else if ((n + 1)*h*f < 0.98)
             {
-                least = std::min(least, (u - exact).norm());
+                // No swing yet
+                vectors still;
+                solved.velocity((n + 1)*h, vectors::Zero(3, 1), still);
+                EXPECT_EQ(u, still);
+                swing = std::max(swing, (exact - still).norm());
             }
         }
 
@@ -470,7 +490,7 @@ TEST(representativeSound, knowsTheHarmonicsOfASoundThatIsBeingSolved)
             steps, worst/6.6e-3
         );
         EXPECT_LT(worst, (steps == 100 ? 1e-6 : 2e-3)*6.6e-3);
-        EXPECT_LT(least, 1e-4);
+        EXPECT_GT(swing, 0.5*6.6e-3*0.6);
     }
 }
 

@@ -34,7 +34,7 @@ Foam::acoustics::linearShear::linearShear(const dictionary& dict)
     ),
     origin_(readVector(dict, "origin", dimLength)),
     velocity_(readVector(dict, "velocity", dimVelocity)),
-    velocityAmplitude_(velocity_.norm())
+    velocityAmplitude_(0)
 {
     requireOnly
     (
@@ -86,6 +86,7 @@ Foam::label Foam::acoustics::linearShear::prepare(const boundBox& region)
 
     vectors u;
     velocity(0, corners, u);
+    u.colwise() -= velocity_;
 
     velocityAmplitude_ =
         std::max(velocityAmplitude_, u.colwise().norm().maxCoeff());

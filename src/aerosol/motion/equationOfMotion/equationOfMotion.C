@@ -155,7 +155,8 @@ Foam::aerosol::equationOfMotion::equationOfMotion
     ),
     period_(period),
     slips_(slips),
-    meanFlow_(Eigen::Vector3d::Zero())
+    meanFlow_(Eigen::Vector3d::Zero()),
+    amplitude_(slips_.amplitude())
 {
     wake_->setSound(dict.subDict("wake"), slips_.omega(), gas_);
 }
@@ -208,7 +209,7 @@ std::complex<double> Foam::aerosol::equationOfMotion::response
         if (!linear())
         {
             const scalar slip =
-                8/(3*EIGEN_PI)*std::abs(1.0 - H)*slips_.amplitude();
+                8/(3*EIGEN_PI)*std::abs(1.0 - H)*amplitude_;
 
             factor = drag_->factor
             (

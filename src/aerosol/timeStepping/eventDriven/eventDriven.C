@@ -442,7 +442,7 @@ std::vector<int> Foam::aerosol::eventDriven::findEncounters
 
         // What all have moved alike since they were last brought home reaches
         // nobody: else a mean flow would need ever more copies
-        middle.colwise() -= rooms_.moved();
+        middle.colwise() -= rooms_.moved() - way;
 
         rooms_.leave();
         requireShort(furthest, h);
