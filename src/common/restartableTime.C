@@ -5,10 +5,96 @@
 
 #include "restartableTime.H"
 
+#include "argList.H"
 #include "IOdictionary.H"
 #include "Pstream.H"
 #include "PstreamReduceOps.H"
 #include "writtenFiles.H"
+
+// * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
+
+const Foam::word& Foam::restartableTime::requireSameLatest
+(
+    const word& controlDict,
+    const argList& args
+)
+{
+    scalar latest = -GREAT;
+    word name;
+
+    for (const instant& time : fileHandler().findTimes(args.path()))
+    {
+        if (time.name() != "constant" && time.value() > latest)
+        {
+            latest = time.value();
+            name = time.name();
+        }
+    }
+
+    const scalar last = returnReduce(latest, maxOp<scalar>());
+
+    if (returnReduce(latest == last, andOp<bool>()))
+    {
+        return controlDict;
+    }
+
+    // A rank that has it says whether it was being written
+    const fileName folder = args.path()/name;
+    const bool torn = returnReduce
+    (
+        latest == last
+     && (
+            isFile(folder/"uniform"/"incomplete")
+         || (
+                readDir(folder, fileName::FILE).empty()
+             && readDir(folder/"uniform", fileName::FILE).empty()
+            )
+        ),
+        orOp<bool>()
+    );
+
+    if (torn)
+    {
+        const dictionary control
+        (
+            fileHandler().NewIFstream
+            (
+                args.globalPath()/"system"/controlDict
+            )()
+        );
+
+        if
+        (
+            control.getOrDefault<word>("startFrom", "latestTime")
+         == "latestTime"
+        )
+        {
+            refuse(last, args.globalPath()/"processor*"/Time::timeName(last));
+        }
+    }
+
+    return controlDict;
+}
+
+
+void Foam::restartableTime::refuse(const scalar time, const fileName& folders)
+{
+    FatalErrorInFunction
+        << "The run was interrupted while it wrote the time " << time
+        << ": its files are not whole. To go on from the time before it, remove "
+        << folders.c_str()
+        << exit(FatalError);
+}
+
+
+Foam::fileName Foam::restartableTime::onAllRanks(const Time& time)
+{
+    const fileName all =
+        time.processorCase() ? time.globalPath()/"processor*" : time.path();
+
+    return all/time.timeName();
+}
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -57,12 +143,7 @@ void Foam::restartableTime::requireWhole() const
 
     if (marked || (exists && !first && !files))
     {
-        FatalErrorInFunction
-            << "The run was interrupted while it wrote the time " << timeName()
-            << ": its files are not whole. To go on from the time before it,"
-            << " remove "
-            << (processorCase() ? globalPath()/"processor*" : path())/timeName()
-            << exit(FatalError);
+        refuse(value(), onAllRanks(*this));
     }
 }
 
@@ -129,7 +210,7 @@ Foam::restartableTime::restartableTime
     const argList& args
 )
 :
-    Time(controlDict, args)
+    Time(requireSameLatest(controlDict, args), args)
 {
     requireWhole();
     restoreValue();

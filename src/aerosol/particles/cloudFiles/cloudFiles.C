@@ -16,6 +16,7 @@
 #include "passiveParticleCloud.H"
 #include "polyMesh.H"
 #include "polyMeshTetDecomposition.H"
+#include "restartableTime.H"
 #include "stateDictionary.H"
 #include "treeDataCell.H"
 
@@ -353,8 +354,7 @@ Foam::dictionary Foam::aerosol::cloudFiles::readState() const
         << io.objectPath()
         << ", so that the run cannot be continued from there. Go on from an"
         << " earlier time; or, to begin anew, remove "
-        << (time.processorCase() ? time.globalPath()/"processor*" : time.path())
-          /time.timeName()/cloud::prefix
+        << (restartableTime::onAllRanks(time)/cloud::prefix).c_str()
         << exit(FatalError);
 
     return dictionary();
