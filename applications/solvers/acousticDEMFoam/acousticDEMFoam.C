@@ -28,6 +28,7 @@ Description
 #include "mapPolyMesh.H"
 #include "profiling.H"
 #include "progressReport.H"
+#include "restartableTime.H"
 #include "soundField.H"
 #include "tableFolder.H"
 #include "Time.H"
@@ -88,7 +89,9 @@ int main(int argc, char *argv[])
         args.found("dry-run") ? nullptr : new caseLock(args.globalPath())
     );
 
-    #include "createTime.H"
+    Info<< "Create time\n" << endl;
+    restartableTime runTime(Time::controlDictName, args);
+
     #include "createMesh.H"
     #include "createFields.H"
 
@@ -121,20 +124,7 @@ int main(int argc, char *argv[])
         sound->advance();
         clouds.evolve();
 
-        if (runTime.writeTime())
-        {
-            bool written = false;
-
-            writing([&] { written = runTime.write(); });
-            requireWritten(runTime.timePath());
-
-            if (!returnReduce(written, andOp<bool>()))
-            {
-                FatalErrorInFunction
-                    << "Cannot write all of " << runTime.timePath()
-                    << ": is the disk full?" << exit(FatalError);
-            }
-        }
+        runTime.writeWhole();
 
         if (progress.due())
         {

@@ -7,6 +7,7 @@
 
 #include "addToRunTimeSelectionTable.H"
 #include "checkedEntry.H"
+#include "evaluateOrRefuse.H"
 #include "externalForce.H"
 #include "fvMesh.H"
 #include "numericsCheck.H"
@@ -40,6 +41,40 @@ Foam::psiThermo& Foam::acoustics::compressibleSound::internalEnergy()
     }
 
     return *thermo_;
+}
+
+
+void Foam::acoustics::compressibleSound::requireAllLevels() const
+{
+    const wordList names({"phi", "phi_0", "rho_0", "U_0", "p_0", "T_0"});
+
+    label found = 0;
+    for (const word& name : names)
+    {
+        IOobject io
+        (
+            name,
+            mesh_.time().timeName(),
+            mesh_,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        );
+
+        found += io.typeHeaderOk<volScalarField>(false, true, false);
+    }
+    reduce(found, sumOp<label>());
+
+    if (found != 0 && found != names.size()*Pstream::nProcs())
+    {
+        FatalErrorInFunction
+            << "Of the fields " << names << " in time "
+            << mesh_.time().timeName() << ", with which the sound compressible"
+            << " goes on as if it had not been interrupted, some are missing or"
+            << " not whole. Go on from an earlier time; or remove all of them,"
+            << " and the sound begins anew from p, T and U"
+            << exit(FatalError);
+    }
 }
 
 
@@ -92,9 +127,36 @@ Foam::acoustics::compressibleSound::compressibleSound
          "control"}
     );
 
+    if (continued())
+    {
+        requireAllLevels();
+    }
+
     mesh.setFluxRequired(p_.name());
     turbulence_->validate();
     keepOldLevels();
+
+    // Copies: a restart keeps the values that it has read. Not those that wait
+    // for the gradient that the pressure equation gives to them.
+    const wordList waiting
+    ({
+        "fixedFluxPressure", "fixedFluxExtrapolatedPressure"
+    });
+
+    const auto tryOut = [&](const auto& field)
+    {
+        for (const auto& condition : field.boundaryField())
+        {
+            if (!condition.coupled() && !waiting.found(condition.type()))
+            {
+                evaluateOrRefuse(condition.clone().ref(), "compressible");
+            }
+        }
+    };
+
+    tryOut(p_);
+    tryOut(thermo_->T());
+    tryOut(U_);
 
     if (!logSolvers_)
     {

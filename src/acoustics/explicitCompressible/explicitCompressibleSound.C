@@ -138,9 +138,27 @@ Foam::vectorField Foam::acoustics::explicitCompressibleSound::forces()
 
     if (fvOptions_.PtrList<fv::option>::size())
     {
-        fvVectorMatrix sources(fvOptions_(rho_, U_));
+        // Not U itself: a matrix updates its boundary conditions, at the end of
+        // the step, and they would not be asked at the times between
+        volVectorField U
+        (
+            IOobject
+            (
+                U_.name(),
+                mesh_.time().timeName(),
+                mesh_,
+                IOobject::NO_READ,
+                IOobject::NO_WRITE,
+                false
+            ),
+            mesh_,
+            U_.dimensions()
+        );
+        U.primitiveFieldRef() = U_.primitiveField();
 
-        force = (sources & U_)().primitiveField();
+        fvVectorMatrix sources(fvOptions_(rho_, U));
+
+        force = (sources & U)().primitiveField();
     }
 
     if (!force_.empty())
@@ -367,7 +385,7 @@ Foam::acoustics::explicitCompressibleSound::explicitCompressibleSound
     fluxes_(constants(*thermo_, gas()), stencils_.faces()),
     boundary_
     (
-        thermo_->p(), thermo_->T(), U_, stencils_, fluxes_.properties()
+        thermo_->p(), thermo_->T(), U_, rho_, stencils_, fluxes_.properties()
     ),
     perVolume_(mesh.nCells()),
     finest_(0),

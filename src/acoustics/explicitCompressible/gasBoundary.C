@@ -7,8 +7,11 @@
 
 #include "advectiveFvPatchFields.H"
 #include "emptyFvPatch.H"
+#include "evaluateOrRefuse.H"
 #include "faceStencils.H"
 #include "fvMesh.H"
+#include "surfaceFields.H"
+#include "surfaceInterpolate.H"
 #include "Time.H"
 #include "volFields.H"
 
@@ -47,6 +50,21 @@ Type Foam::acoustics::gasBoundary::side<Type>::slope
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class Type>
+bool Foam::acoustics::gasBoundary::isAlone(const fvPatchField<Type>& field)
+{
+    return
+        field.patch().coupled()
+     || wordList
+        ({
+            "empty", "slip", "basicSymmetry", "symmetry", "symmetryPlane",
+            "wedge", "zeroGradient", "calculated", "waveTransmissive",
+            "fixedFluxPressure", "fixedFluxExtrapolatedPressure", "fixedValue",
+            "uniformFixedValue", "noSlip", "acousticPiston", "acousticPressure"
+        }).found(field.type());
+}
+
+
+template<class Type>
 Foam::acoustics::gasBoundary::side<Type>
 Foam::acoustics::gasBoundary::makeSide(fvPatchField<Type>& field)
 {
@@ -77,17 +95,27 @@ Foam::acoustics::gasBoundary::makeSide(fvPatchField<Type>& field)
     {
         s.is = rule::even;
     }
-    else if (field.fixesValue())
+    else if
+    (
+        field.fixesValue()
+     && !isOneOf
+        ({
+            "totalPressure", "uniformTotalPressure", "rotatingTotalPressure",
+            "totalTemperature", "pressureInletVelocity",
+            "pressureDirectedInletVelocity", "fluxCorrectedVelocity"
+        })
+    )
     {
         s.is = rule::value;
         s.moves = !isOneOf({"fixedValue", "noSlip"});
 
         // A file may have been written before its condition was
-        field.evaluate();
+        evaluateOrRefuse(field, "explicitCompressible");
     }
     else
     {
         s.is = rule::evaluated;
+        evaluateOrRefuse(field, "explicitCompressible");
     }
 
     s.begin = field;
@@ -105,7 +133,7 @@ void Foam::acoustics::gasBoundary::ask
     Field<Type>& values
 )
 {
-    field.evaluate();
+    evaluateOrRefuse(field, "explicitCompressible");
     values = field;
 }
 
@@ -119,11 +147,19 @@ void Foam::acoustics::gasBoundary::evaluate
     const labelUList& cells =
         p_.mesh().boundary()[b.index].faceCells();
 
-    for (const label i : cells)
+    fvsPatchScalarField& phi = phi_->boundaryFieldRef()[b.index];
+    fvPatchScalarField& rho = rho_.boundaryFieldRef()[b.index];
+
+    forAll(cells, facei)
     {
+        const label i = cells[facei];
+
         p_[i] = q[4][i];
         T_[i] = q[4][i]/(gas_.R*q[0][i]);
         U_[i] = vector(q[1][i], q[2][i], q[3][i]);
+
+        rho[facei] = q[0][i];
+        phi[facei] = q[0][i]*(U_[i] & phi.patch().Sf()[facei]);
     }
 
     const auto renew = [&](auto& side, auto& field)
@@ -249,6 +285,7 @@ Foam::acoustics::gasBoundary::gasBoundary
     volScalarField& p,
     volScalarField& T,
     volVectorField& U,
+    volScalarField& rho,
     const faceStencils& stencils,
     const centralFluxes::gas& gas
 )
@@ -256,6 +293,7 @@ Foam::acoustics::gasBoundary::gasBoundary
     p_(p),
     T_(T),
     U_(U),
+    rho_(rho),
     second_(stencils.second()),
     gas_(gas),
     step_(1)
@@ -265,19 +303,57 @@ Foam::acoustics::gasBoundary::gasBoundary
 
     forAll(mesh.boundary(), patchi)
     {
+        if
+        (
+            !phi_
+         && !(
+                isAlone(p.boundaryField()[patchi])
+             && isAlone(T.boundaryField()[patchi])
+             && isAlone(U.boundaryField()[patchi])
+            )
+        )
+        {
+            phi_.reset
+            (
+                new surfaceScalarField
+                (
+                    IOobject("phi", mesh.time().timeName(), mesh),
+                    linearInterpolate(rho*U) & mesh.Sf()
+                )
+            );
+        }
+    }
+
+    forAll(mesh.boundary(), patchi)
+    {
         const fvPatch& fvp = mesh.boundary()[patchi];
 
-        if (isA<emptyFvPatch>(fvp) || fvp.size() == 0)
+        // The conditions of a patch without faces on this rank are asked, too:
+        // some add up over all ranks
+        if (isA<emptyFvPatch>(fvp) || (fvp.coupled() && fvp.size() == 0))
         {
             continue;
         }
 
         const label start = fvp.start();
+        const label firstGhost = fvp.size() ? stencils.ghost(start) : 0;
 
         if (fvp.coupled())
         {
-            coupled_.emplace_back(patchi, stencils.ghost(start));
+            coupled_.emplace_back(patchi, firstGhost);
             continue;
+        }
+
+        const fvPatchScalarField& pressure = p.boundaryField()[patchi];
+
+        if (pressure.type() == "advective")
+        {
+            FatalErrorInFunction
+                << "The boundary condition advective of p at the patch "
+                << fvp.name() << " cannot be used with the sound"
+                << " explicitCompressible: it reflects sound. Use"
+                << " waveTransmissive, which lets it out"
+                << exit(FatalError);
         }
 
         patch b;
@@ -286,8 +362,6 @@ Foam::acoustics::gasBoundary::gasBoundary
         b.T = makeSide(T.boundaryFieldRef()[patchi]);
         b.U = makeSide(U.boundaryFieldRef()[patchi]);
         b.rest = gas.p;
-
-        const fvPatchScalarField& pressure = p.boundaryField()[patchi];
 
         if (pressure.type() == "waveTransmissive")
         {
@@ -302,7 +376,7 @@ Foam::acoustics::gasBoundary::gasBoundary
             }
         }
 
-        b.firstGhost = stencils.ghost(start);
+        b.firstGhost = firstGhost;
         b.near = fvp.faceCells();
         b.normal = fvp.nf();
         b.far.setSize(fvp.size());
@@ -326,6 +400,9 @@ Foam::acoustics::gasBoundary::gasBoundary
         patches_.push_back(std::move(b));
     }
 }
+
+
+Foam::acoustics::gasBoundary::~gasBoundary() = default;
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -397,6 +474,7 @@ void Foam::acoustics::gasBoundary::store(const centralFluxes::state& q)
 
         scalarField p(cells.size());
         scalarField T(cells.size());
+        scalarField rho(cells.size());
         vectorField U(cells.size());
 
         // The share w of the ghost, the rest of the cell
@@ -411,6 +489,7 @@ void Foam::acoustics::gasBoundary::store(const centralFluxes::state& q)
             };
 
             p[i] = mean(4);
+            rho[i] = mean(0);
             T[i] =
                 w*q[4][g]/(gas_.R*q[0][g]) + (1 - w)*q[4][c]/(gas_.R*q[0][c]);
             U[i] = vector(mean(1), mean(2), mean(3));
@@ -418,6 +497,7 @@ void Foam::acoustics::gasBoundary::store(const centralFluxes::state& q)
 
         p_.boundaryFieldRef()[patchi] == p;
         T_.boundaryFieldRef()[patchi] == T;
+        rho_.boundaryFieldRef()[patchi] == rho;
         U_.boundaryFieldRef()[patchi] == U;
     };
 
@@ -434,6 +514,11 @@ void Foam::acoustics::gasBoundary::store(const centralFluxes::state& q)
          == 0;
 
         set(patchi, ghost, processor ? 1 : 0.5);
+    }
+
+    if (phi_)
+    {
+        *phi_ = linearInterpolate(rho_*U_) & p_.mesh().Sf();
     }
 }
 

@@ -12,6 +12,11 @@
 
 #include <cmath>
 
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const char* const Foam::acoustics::cellFieldNote = "acousticDEM";
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<class Type>
@@ -40,6 +45,7 @@ Foam::acoustics::cellField
         zeroGradientFvPatchField<Type>::typeName
     );
 
+    field.ref().note() = cellFieldNote;
     field.ref().primitiveFieldRef() = inCells;
     field.ref().correctBoundaryConditions();
 

@@ -7,6 +7,7 @@
 
 #include "checkedEntry.H"
 #include "fvMesh.H"
+#include "gasEntries.H"
 #include "levelControl.H"
 #include "mathematicalConstants.H"
 #include "regionSampler.H"
@@ -20,7 +21,7 @@
 
 Foam::acoustics::gasProperties Foam::acoustics::meshSound::undisturbedGas()
 {
-    if (storedGas_.size())
+    if (continued_)
     {
         return gasProperties::read(storedGas_);
     }
@@ -42,11 +43,7 @@ Foam::acoustics::gasProperties Foam::acoustics::meshSound::undisturbedGas()
     gas.meanFreePath =
         gasProperties::kineticMeanFreePath(gas.mu, gas.rho, gas.T, W);
 
-    storedGas_.add("rho", gas.rho);
-    storedGas_.add("mu", gas.mu);
-    storedGas_.add("T", gas.T);
-    storedGas_.add("c", gas.c);
-    storedGas_.add("meanFreePath", gas.meanFreePath);
+    storedGas_.merge(gasEntries(gas));
 
     return gas;
 }
@@ -104,18 +101,8 @@ Foam::acoustics::meshSound::meshSound
 :
     soundField(readPositive(dict, "frequency", dimless/dimTime)),
     expectedVelocity_(-1),
-    storedGas_
-    (
-        IOobject
-        (
-            "undisturbedGas",
-            mesh.time().timeName(),
-            "uniform",
-            mesh,
-            IOobject::READ_IF_PRESENT,
-            IOobject::AUTO_WRITE
-        )
-    ),
+    storedGas_("undisturbedGas", mesh, gasNames()),
+    continued_(storedGas_.size()),
     mesh_(mesh),
     thermo_(psiThermo::New(mesh)),
     rho_(stored("rho", mesh, IOobject::READ_IF_PRESENT), thermo_->rho()),

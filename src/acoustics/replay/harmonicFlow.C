@@ -6,6 +6,7 @@
 #include "harmonicFlow.H"
 
 #include "cellField.H"
+#include "checkedEntry.H"
 #include "localIOdictionary.H"
 #include "mathematicalConstants.H"
 #include "polyMesh.H"
@@ -48,6 +49,13 @@ Foam::acoustics::harmonicFlow::harmonicFlow
     frequency_(frequency),
     terms_(t)
 {}
+
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const char* const Foam::acoustics::harmonicFlow::origin =
+    "Such fields are written by the sound untilPeriodic, and by the function"
+    " object soundPressureLevel with coefficients yes";
 
 
 // * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
@@ -93,6 +101,17 @@ Foam::acoustics::harmonicFlow::significant
         }
     }
 
+    return first(sum, n);
+}
+
+
+Foam::acoustics::harmonicFlow::terms
+Foam::acoustics::harmonicFlow::first
+(
+    const harmonicSum<vector>& sum,
+    const label n
+)
+{
     terms result(2*n + 1);
     result[0] = sum.mean();
     for (label k = 1; k <= n; ++k)
@@ -108,12 +127,16 @@ Foam::acoustics::harmonicFlow::terms
 Foam::acoustics::harmonicFlow::read
 (
     const polyMesh& mesh,
-    const word& time
+    const word& time,
+    const label nHarmonics
 )
 {
     DynamicList<vectorField> result;
 
-    while (true)
+    // The mean and at least one harmonic must be there
+    const label least = max(2*nHarmonics + 1, 3);
+
+    while (nHarmonics < 0 || result.size() < least)
     {
         IOobject io
         (
@@ -125,33 +148,106 @@ Foam::acoustics::harmonicFlow::read
             false
         );
 
-        // The mean and at least one harmonic must be there
-        bool found = isFile(io.objectPath());
-        reduce(found, andOp<bool>());
+        const label without = returnReduce
+        (
+            !io.typeHeaderOk<localIOdictionary>(false, true, false),
+            sumOp<label>()
+        );
 
-        if (!found)
+        if (without)
         {
-            if (result.size() < 3)
+            if (result.size() < least)
             {
                 FatalErrorInFunction
                     << "There is no field " << io.objectPath()
-                    << " to be replayed" << nl
-                    << "It is written by the sound untilPeriodic, and by the"
-                    << " function object soundPressureLevel with coefficients"
-                    << " yes" << exit(FatalError);
+                    << ", or no whole one, to be replayed"
+                    << (without < Pstream::nProcs() ? ", on some ranks" : "")
+                    << nl << origin << exit(FatalError);
             }
             break;
         }
 
         // Of the file only the values in the cells: no boundary conditions
         const localIOdictionary dict(io, "volVectorField");
-        result.append(vectorField("internalField", dict, mesh.nCells()));
+        const vectorField values("internalField", dict, mesh.nCells());
+
+        forAll(values, celli)
+        {
+            if (!std::isfinite(magSqr(values[celli])))
+            {
+                FatalIOErrorInFunction(dict)
+                    << "The field " << io.objectPath() << " that is to be"
+                    << " replayed has the value " << values[celli]
+                    << " in the cell " << celli << exit(FatalIOError);
+            }
+        }
+
+        result.append(values);
     }
 
     // A sine without its cosine, or the other way round, is not read
     result.setSize(2*((result.size() - 1)/2) + 1);
 
     return terms(result);
+}
+
+
+Foam::dictionary Foam::acoustics::harmonicFlow::magnitudes
+(
+    const polyMesh& mesh,
+    const terms& t
+)
+{
+    const scalarField& V = mesh.cellVolumes();
+    const scalar volume = gSum(V);
+
+    dictionary result;
+
+    forAll(t, i)
+    {
+        result.add(name(i), std::sqrt(gSum(V*magSqr(t[i]))/volume));
+    }
+
+    return result;
+}
+
+
+void Foam::acoustics::harmonicFlow::requireSame
+(
+    const polyMesh& mesh,
+    const terms& t,
+    const dictionary& magnitudes
+)
+{
+    if (magnitudes.empty())
+    {
+        return;
+    }
+
+    const dictionary now = harmonicFlow::magnitudes(mesh, t);
+
+    // What ascii files with six digits leave
+    scalar rounding = 0;
+    for (const entry& e : now)
+    {
+        rounding = max(rounding, 1e-5*now.get<scalar>(e.keyword()));
+    }
+
+    for (const entry& e : now)
+    {
+        const scalar is = now.get<scalar>(e.keyword());
+        const scalar was = readFinite(magnitudes, e.keyword(), dimVelocity);
+
+        if (mag(is - was) > 1e-4*was + rounding)
+        {
+            FatalIOErrorInFunction(magnitudes)
+                << "The field " << e.keyword() << " that is to be replayed is"
+                << " not the one that was written with it: its rms is " << is
+                << " m/s, but by " << magnitudes.name() << " it was " << was
+                << " m/s. Another program or function object has written it, or"
+                << " the files are of different runs" << exit(FatalIOError);
+        }
+    }
 }
 
 

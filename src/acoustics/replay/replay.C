@@ -7,9 +7,11 @@
 
 #include "addToRunTimeSelectionTable.H"
 #include "checkedEntry.H"
+#include "gasEntries.H"
 #include "fvMesh.H"
 #include "localIOdictionary.H"
 #include "OSspecific.H"
+#include "stateDictionary.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -29,31 +31,68 @@ namespace acoustics
 namespace
 {
 
+//- A file in a time directory
+Foam::IOobject object
+(
+    const Foam::word& name,
+    const Foam::word& time,
+    const Foam::fileName& local,
+    const Foam::polyMesh& mesh
+)
+{
+    return Foam::IOobject
+    (
+        name,
+        time,
+        local,
+        mesh,
+        Foam::IOobject::MUST_READ,
+        Foam::IOobject::NO_WRITE,
+        false
+    );
+}
+
+
+//- Whether every rank has it
+bool found(Foam::IOobject io)
+{
+    return Foam::returnReduce
+    (
+        io.typeHeaderOk<Foam::localIOdictionary>(false, false),
+        Foam::andOp<bool>()
+    );
+}
+
+
 //- A dictionary that a sound has left, empty if it has not
 Foam::dictionary left
 (
     const Foam::word& name,
     const Foam::word& time,
-    const Foam::polyMesh& mesh
+    const Foam::polyMesh& mesh,
+    const Foam::wordList& entries
 )
 {
     using namespace Foam;
 
-    const IOobject io
-    (
-        name,
-        time,
-        "uniform",
-        mesh,
-        IOobject::MUST_READ,
-        IOobject::NO_WRITE,
-        false
-    );
+    const IOobject io(object(name, time, "uniform", mesh));
 
-    return
-        isFile(io.objectPath())
-      ? dictionary(localIOdictionary(io, "dictionary"))
-      : dictionary();
+    if (!found(io))
+    {
+        if (!fileHandler().filePath(io.objectPath()).empty())
+        {
+            FatalErrorInFunction
+                << "The file " << io.objectPath() << ", which says what is"
+                << " replayed, is not whole" << exit(FatalError);
+        }
+
+        return dictionary();
+    }
+
+    const localIOdictionary dict(io, "dictionary");
+    stateDictionary::require(dict, entries);
+
+    return dictionary(dict);
 }
 
 } // End anonymous namespace
@@ -88,24 +127,45 @@ Foam::acoustics::replay::chamber::chamber
         }
         path.clean();
 
-        fileName caseName = path.name();
+        fileName root = path.path();
+        word caseName = path.name();
+
         if (Pstream::parRun())
         {
-            caseName =
-                caseName/("processor" + std::to_string(Pstream::myProcNo()));
+            root = path;
+            caseName = "processor" + std::to_string(Pstream::myProcNo());
         }
 
-        bool found = isDir(path.path()/caseName/"constant"/"polyMesh");
-        reduce(found, andOp<bool>());
-        if (!found)
+        // Where OpenFOAM's file handler keeps it, collated or not
+        const bool hasMesh = returnReduce
+        (
+            !fileHandler().filePath
+            (
+                root/caseName/"constant"/polyMesh::meshSubDir
+            ).empty(),
+            andOp<bool>()
+        );
+
+        if (!hasMesh && !Pstream::parRun())
         {
             FatalIOErrorInFunction(dict)
-                << "The source " << path << " of the replay has no mesh"
-                << (Pstream::parRun()
-                  ? " in one of processor0, processor1, ...: decompose it into"
-                    " as many parts as this case"
-                  : " in constant/polyMesh")
-                << exit(FatalIOError);
+                << "The source " << path << " of the replay has no mesh in"
+                << " constant/polyMesh" << exit(FatalIOError);
+        }
+
+        if (Pstream::parRun())
+        {
+            const label parts = fileHandler().nProcs(path);
+
+            if (!hasMesh || parts != Pstream::nProcs())
+            {
+                FatalIOErrorInFunction(dict)
+                    << "The source " << path << " of the replay has " << parts
+                    << " parts with a mesh (processor0, ... or processors"
+                    << Pstream::nProcs() << "): decompose it into "
+                    << Pstream::nProcs() << ", as this case, by decomposePar"
+                    << " -latestTime there" << exit(FatalIOError);
+            }
         }
 
         // Of its controlDict nothing is wanted
@@ -119,7 +179,7 @@ Foam::acoustics::replay::chamber::chamber
             new Time
             (
                 controlDict,
-                path.path(),
+                root,
                 caseName,
                 "system",
                 "constant",
@@ -143,57 +203,59 @@ Foam::acoustics::replay::chamber::chamber
         mesh = ownMesh.get();
     }
 
-    // Where the fields are
-
-    const fileName& root = mesh->time().path();
-
-    if (dict.found("time") && dict.get<word>("time") != "latestTime")
-    {
-        const scalar wanted = readFinite(dict, "time", dimTime);
-        time = Time::timeName(wanted, 12);
-        for (const instant& i : Time::findTimes(root))
-        {
-            if (mag(i.value() - wanted) < 1e-9*max(mag(wanted), SMALL))
-            {
-                time = i.name();
-            }
-        }
-    }
-    else
-    {
-        time = "constant";
-        for (const instant& i : Time::findTimes(root))
-        {
-            if (isFile(root/i.name()/harmonicFlow::name(0)))
-            {
-                time = i.name();
-            }
-        }
-    }
+    time = findTime(dict);
 
     // What else is known about the sound
 
-    const dictionary replayed = left("replay", time, *mesh);
+    dictionary replayed = left
+    (
+        "replay", time, *mesh, {"frequency", "harmonics", "gas"}
+    );
 
-    if (dict.found("frequency"))
+    if (replayed.empty())
     {
-        frequency = readPositive(dict, "frequency", dimless/dimTime);
+        replayed = left
+        (
+            "harmonics", time, *mesh, {"frequency", "harmonics"}
+        );
     }
-    else if (replayed.found("frequency"))
+
+    nHarmonics = replayed.getOrDefault<label>("harmonics", -1);
+    magnitudes = replayed.subOrEmptyDict("magnitudes");
+    quality = replayQuality::read(replayed);
+
+    if (replayed.found("frequency"))
     {
         frequency = readPositive(replayed, "frequency", dimless/dimTime);
     }
-    else
+
+    if (dict.found("frequency"))
+    {
+        const scalar given = readPositive(dict, "frequency", dimless/dimTime);
+
+        if (frequency > 0 && mag(given - frequency) > 1e-6*frequency)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry 'frequency' of " << dict.name() << " is " << given
+                << ", but the sound that is replayed was solved at "
+                << frequency << " Hz, by its file in "
+                << mesh->time().path()/time/"uniform" << exit(FatalIOError);
+        }
+
+        frequency = given;
+    }
+    else if (frequency == 0)
     {
         FatalIOErrorInFunction(dict)
-            << "Give the frequency of the sound that is replayed: there is no"
-            << " uniform/replay in " << root/time << exit(FatalIOError);
+            << "Give the frequency of the sound that is replayed: there is"
+            << " neither uniform/replay nor uniform/harmonics in "
+            << mesh->time().path()/time << exit(FatalIOError);
     }
 
     const dictionary known =
         dict.found("gas") ? dict.subDict("gas")
       : replayed.found("gas") ? replayed.subDict("gas")
-      : left("undisturbedGas", time, *mesh);
+      : left("undisturbedGas", time, *mesh, gasNames());
 
     if (known.empty() && !dict.found("gas"))
     {
@@ -207,6 +269,78 @@ Foam::acoustics::replay::chamber::chamber
 }
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::word Foam::acoustics::replay::chamber::findTime
+(
+    const dictionary& dict
+) const
+{
+    const fileName& path = mesh->time().path();
+
+    // Those that have the field of the mean
+    wordList times;
+    scalarList values;
+
+    for (const instant& i : fileHandler().findTimes(path, "constant"))
+    {
+        if
+        (
+            i.name() != "constant"
+         && found(object(harmonicFlow::name(0), i.name(), "", *mesh))
+        )
+        {
+            times.append(i.name());
+            values.append(i.value());
+        }
+    }
+
+    bool latest = true;
+
+    if (dict.found("time"))
+    {
+        const ITstream& is = dict.lookup("time");
+
+        latest =
+            is.size() == 1 && is[0].isWord()
+         && is[0].wordToken() == "latestTime";
+    }
+
+    if (times.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "No time directory of " << path << " has a field "
+            << harmonicFlow::name(0) << " to be replayed. " << nl
+            << harmonicFlow::origin << exit(FatalIOError);
+    }
+
+    if (latest)
+    {
+        return times.last();
+    }
+
+    const scalar wanted = readFinite(dict, "time", dimTime);
+
+    forAll(times, i)
+    {
+        if (mag(values[i] - wanted) <= 1e-9*mag(wanted))
+        {
+            return times[i];
+        }
+    }
+
+    FatalIOErrorInFunction(dict)
+        << "Entry 'time' of " << dict.name() << " is " << wanted
+        << ", but no time directory of " << path << " of that time has a field "
+        << harmonicFlow::name(0) << "; those that have are " << times
+        << " (or latestTime)" << exit(FatalIOError);
+
+    return word();
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
 Foam::acoustics::replay::replay(std::unique_ptr<const chamber>&& chamber)
 :
     soundField(chamber->frequency),
@@ -215,7 +349,12 @@ Foam::acoustics::replay::replay(std::unique_ptr<const chamber>&& chamber)
     (
         *chamber_->mesh,
         chamber_->frequency,
-        harmonicFlow::read(*chamber_->mesh, chamber_->time)
+        harmonicFlow::read
+        (
+            *chamber_->mesh,
+            chamber_->time,
+            chamber_->nHarmonics
+        )
     ),
     largestAmplitude_(flow_.largestAmplitude())
 {
@@ -224,6 +363,12 @@ Foam::acoustics::replay::replay(std::unique_ptr<const chamber>&& chamber)
         << flow_.nHarmonics() << " harmonics with the fundamental, up to "
         << largestAmplitude_ << " m/s, on a mean flow of at most "
         << flow_.largestMean() << " m/s" << endl;
+
+    harmonicFlow::requireSame
+    (
+        *chamber_->mesh, flow_.inCells(), chamber_->magnitudes
+    );
+    chamber_->quality.report();
 }
 
 

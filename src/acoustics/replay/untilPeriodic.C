@@ -8,6 +8,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "cellField.H"
 #include "checkedEntry.H"
+#include "gasEntries.H"
 #include "levelControl.H"
 #include "selectModel.H"
 #include "volFields.H"
@@ -24,6 +25,8 @@ namespace acoustics
     addToRunTimeSelectionTable(soundField, untilPeriodic, dictionary);
 }
 }
+
+const Foam::word Foam::acoustics::untilPeriodic::stateName("replay");
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -82,6 +85,9 @@ void Foam::acoustics::untilPeriodic::endPeriod()
         changeOfMean = std::sqrt(ofMean/max(all, VSMALL));
     }
     before_ = now;
+    quality_.change = change;
+
+    requireNames(now.size());
 
     nSteady_ = change < tolerance_ ? nSteady_ + 1 : 0;
 
@@ -193,11 +199,15 @@ void Foam::acoustics::untilPeriodic::handOver()
 
     const scalar perCent = 100/max(amplitude, VSMALL);
 
+    quality_.difference = std::sqrt(squares_/nCompared_)/max(amplitude, VSMALL);
+
     Info<< "    Over the last period the replay differs from what was solved"
-        << " by " << perCent*std::sqrt(squares_/nCompared_) << " % rms, and "
+        << " by " << 100*quality_.difference << " % rms, and "
         << perCent*largest_ << " % at most, of the velocity amplitude of "
         << amplitude << " m/s" << nl
         << "    From here on the sound is replayed" << endl;
+
+    quality_.warn();
 
     replaying_ = true;
     handOver_ = mesh_.time().value();
@@ -214,16 +224,16 @@ void Foam::acoustics::untilPeriodic::handOver()
         }
     }
 
-    state_.set("frequency", frequency());
-    state_.set("handOver", handOver_);
-    state_.set("expectedAmplitude", expectedAmplitude_);
-    dictionary gas;
-    gas.add("rho", gas_.rho);
-    gas.add("mu", gas_.mu);
-    gas.add("T", gas_.T);
-    gas.add("c", gas_.c);
-    gas.add("meanFreePath", gas_.meanFreePath);
-    state_.set("gas", gas);
+    state_.add("frequency", frequency(), true);
+    state_.add("handOver", handOver_, true);
+    state_.add("expectedAmplitude", expectedAmplitude_, true);
+    state_.set("harmonics", flow_->nHarmonics());
+    state_.set("gas", gasEntries(gas_));
+    state_.set
+    (
+        "magnitudes", harmonicFlow::magnitudes(mesh_, flow_->inCells())
+    );
+    quality_.write(state_);
     state_.writeOpt() = IOobject::AUTO_WRITE;
 
     makeFields();
@@ -247,6 +257,42 @@ void Foam::acoustics::untilPeriodic::resume()
 }
 
 
+void Foam::acoustics::untilPeriodic::removeLeft() const
+{
+    // What an earlier run has left at the same time would be taken for a sound
+    // that is replayed
+    const fileName left = fileHandler().filePath
+    (
+        mesh_.time().timePath()/"uniform"/stateName
+    );
+
+    if (!left.empty())
+    {
+        fileHandler().rm(left);
+    }
+}
+
+
+void Foam::acoustics::untilPeriodic::requireNames(const label nTerms) const
+{
+    for (label i = 0; i < nTerms; ++i)
+    {
+        const word name = harmonicFlow::name(i);
+        const auto* other = mesh_.cfindObject<regIOobject>(name);
+
+        if (other && other->note() != cellFieldNote)
+        {
+            FatalErrorInFunction
+                << "A function object has made a field " << name << ", as"
+                << " fieldAverage of U does. The sound untilPeriodic needs this"
+                << " name for what it replays: give that field another name, or"
+                << " remove the function object"
+                << exit(FatalError);
+        }
+    }
+}
+
+
 void Foam::acoustics::untilPeriodic::makeFields()
 {
     const auto make =
@@ -258,7 +304,8 @@ void Foam::acoustics::untilPeriodic::makeFields()
             ).ptr();
             field->writeOpt() = IOobject::AUTO_WRITE;
 
-            // A function object may have made one of the same name
+            // A soundPressureLevel, which makes another one afterwards, may
+            // have made one of the same name
             if (auto* other = mesh_.getObjectPtr<regIOobject>(name))
             {
                 other->checkOut();
@@ -307,15 +354,10 @@ Foam::acoustics::untilPeriodic::untilPeriodic
     resolveEvery_(dict.getOrDefault<label>("resolveEvery", 0)),
     state_
     (
-        IOobject
-        (
-            "replay",
-            mesh.time().timeName(),
-            "uniform",
-            mesh,
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE
-        )
+        stateName,
+        mesh,
+        {"frequency", "handOver", "expectedAmplitude", "harmonics", "gas"},
+        IOobject::NO_WRITE
     ),
     expectedAmplitude_(-1),
     sum_(frequency(), dict.getOrDefault<label>("harmonics", 5)),
@@ -361,12 +403,15 @@ Foam::acoustics::untilPeriodic::untilPeriodic
 
     if (replaying_)
     {
-        if (readPositive(state_, "frequency", dimless/dimTime) != frequency())
+        const scalar then =
+            readPositive(state_, "frequency", dimless/dimTime);
+
+        if (mag(then - frequency()) > 1e-9*frequency())
         {
             FatalIOErrorInFunction(dict)
                 << "The sound was solved, and is replayed, at a frequency of "
-                << state_.get<scalar>("frequency") << " Hz; for another one,"
-                << " start anew" << exit(FatalIOError);
+                << then << " Hz; for another one, start anew"
+                << exit(FatalIOError);
         }
 
         gas_ = gasProperties::read(state_.subDict("gas"));
@@ -374,11 +419,26 @@ Foam::acoustics::untilPeriodic::untilPeriodic
         handOver_ = state_.get<scalar>("handOver");
         state_.writeOpt() = IOobject::AUTO_WRITE;
 
-        makeFlow(harmonicFlow::read(mesh, mesh.time().timeName()));
+        makeFlow
+        (
+            harmonicFlow::read
+            (
+                mesh,
+                mesh.time().timeName(),
+                state_.get<label>("harmonics")
+            )
+        );
+        harmonicFlow::requireSame
+        (
+            mesh, flow_->inCells(), state_.subOrEmptyDict("magnitudes")
+        );
+        quality_ = replayQuality::read(state_);
 
         Info<< "    replayed, as at the end of the last run: "
             << frequency() << " Hz, " << flow_->nHarmonics()
             << " harmonics with the fundamental" << endl;
+
+        quality_.report();
 
         if (!resolveEvery_)
         {
@@ -421,6 +481,21 @@ Foam::acoustics::untilPeriodic::untilPeriodic
 
 
 Foam::acoustics::untilPeriodic::~untilPeriodic() = default;
+
+
+// * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
+
+bool Foam::acoustics::untilPeriodic::rests(const fvMesh& mesh)
+{
+    const auto* state = mesh.cfindObject<stateDictionary>(stateName);
+
+    // At the very time of the hand-over the fields have just been solved
+    return
+        state
+     && state->writeOpt() == IOobject::AUTO_WRITE
+     && mesh.time().value()
+      > state->get<scalar>("handOver") + 0.5*mesh.time().deltaTValue();
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -487,6 +562,11 @@ void Foam::acoustics::untilPeriodic::advance()
         else if (sum_.add(mesh_.time().value(), solvedVelocity()))
         {
             endPeriod();
+        }
+
+        if (!replaying_ && mesh_.time().writeTime())
+        {
+            removeLeft();
         }
     }
     else if (U_ && mesh_.time().writeTime())

@@ -116,6 +116,7 @@ Foam::aerosol::aerosolCloud::aerosolCloud
     step_(0),
     outgrown_(false),
     isNew_(true),
+    wasCoupled_(false),
     reached_(mesh.time().value()),
     amplitude_(-1),
     largestAmplitude_(0)
@@ -248,6 +249,7 @@ Foam::dictionary Foam::aerosol::aerosolCloud::readParticles()
         state.getOrDefault<labelList>("refusedPairs", labelList())
     );
     sizeBins_ = state.subDict("sizeBins");
+    wasCoupled_ = state.getOrDefault("coupled", false);
 
     // Before anything could break, ids were those of the start
     breakages_.begin
@@ -344,8 +346,10 @@ void Foam::aerosol::aerosolCloud::requireNoneBefore() const
 
     const auto has = [&](const instant& time)
     {
-        return
-            isFile(runTime.path()/time.name()/"uniform"/(name() + "State"));
+        return !fileHandler().filePath
+        (
+            runTime.path()/time.name()/"uniform"/(name() + "State")
+        ).empty();
     };
 
     // OpenFOAM tries the name of a time with more digits, but not always with
@@ -730,6 +734,11 @@ Foam::dictionary Foam::aerosol::aerosolCloud::state() const
     dict.add("frameVelocityY", frame_->velocity()(1));
     dict.add("frameVelocityZ", frame_->velocity()(2));
 
+    if (coupling_)
+    {
+        dict.add("coupled", Switch(true));
+    }
+
     if (motion_.wakeModel().needsTolerance())
     {
         dict.add("wakeTolerance", motion_.wakeModel().tolerance());
@@ -812,10 +821,22 @@ void Foam::aerosol::aerosolCloud::couple(gasReaction& reaction)
 
     Info<< os.str().c_str() << nl;
 
-    if (!reaction.continued())
+    if (reaction.continued())
     {
-        announce();
+        return;
     }
+
+    if (wasCoupled_)
+    {
+        FatalErrorInFunction
+            << "The particles of time " << mesh_.time().timeName() << " acted"
+            << " on the gas, but the fields aerosolForce, aerosolInertia and"
+            << " aerosolDebt of that time are not there. Go on from an earlier"
+            << " time"
+            << exit(FatalError);
+    }
+
+    announce();
 }
 
 

@@ -28,6 +28,28 @@ Foam::IOobject stored(const Foam::word& name, const Foam::fvMesh& mesh)
 } // End anonymous namespace
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::aerosol::gasReaction::requireAllOrNone()
+{
+    label found = force_.headerOk() + inertia_.headerOk() + debt_.headerOk();
+    reduce(found, sumOp<label>());
+
+    if (found != 0 && found != 3*Pstream::nProcs())
+    {
+        FatalErrorInFunction
+            << "Of the fields " << force_.name() << ", " << inertia_.name()
+            << " and " << debt_.name() << " in time "
+            << force_.time().timeName() << ", by which the particles go on"
+            << " acting on the gas, some are missing or not whole. Go on from"
+            << " an earlier time"
+            << exit(FatalError);
+    }
+
+    return found;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::aerosol::gasReaction::gasReaction
@@ -54,7 +76,7 @@ Foam::aerosol::gasReaction::gasReaction
         mesh,
         dimensionedVector(dimDensity*dimVelocity, Zero)
     ),
-    continued_(force_.headerOk())
+    continued_(requireAllOrNone())
 {
     if (!sound.feelsForces())
     {

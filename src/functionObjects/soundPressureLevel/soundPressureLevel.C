@@ -8,7 +8,9 @@
 #include "addToRunTimeSelectionTable.H"
 #include "checkedEntry.H"
 #include "soundLevel.H"
+#include "stateDictionary.H"
 #include "tableFolder.H"
+#include "untilPeriodic.H"
 #include "volFields.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -30,7 +32,7 @@ bool Foam::functionObjects::soundPressureLevel::add()
     const auto* p = mesh_.cfindObject<volScalarField>(pName_);
     const auto* U = mesh_.cfindObject<volVectorField>(UName_);
 
-    if (!p || !U)
+    if (!p || !U || acoustics::untilPeriodic::rests(mesh_))
     {
         // Sound that is a formula, or is replayed
         return false;
@@ -49,6 +51,8 @@ bool Foam::functionObjects::soundPressureLevel::add()
         p_.reset(new acoustics::harmonicSum<scalar>(frequency_, nHarmonics_));
         pSquared_.reset(new acoustics::harmonicSum<scalar>(frequency_, 0));
         U_.reset(new acoustics::harmonicSum<vector>(frequency_, nHarmonics_));
+        USquared_.reset(new acoustics::harmonicSum<scalar>(frequency_, 0));
+        terms_.clear();
         reference_ = gAverage(p->primitiveField());
     }
 
@@ -56,15 +60,33 @@ bool Foam::functionObjects::soundPressureLevel::add()
     const scalarField fluctuation(p->primitiveField() - reference_);
 
     U_->add(t, U->primitiveField());
+    USquared_->add(t, magSqr(U->primitiveField()));
     pSquared_->add(t, sqr(fluctuation));
 
     return p_->add(t, fluctuation);
 }
 
 
+Foam::regIOobject* Foam::functionObjects::soundPressureLevel::own
+(
+    const word& name
+) const
+{
+    // The registry is asked each time: a sound that is replayed takes the names
+    // of its terms for fields of its own, and gives them back
+    auto* object = mesh_.getObjectPtr<regIOobject>(name);
+
+    return
+        object
+     && object->ownedByRegistry()
+     && object->note() == acoustics::cellFieldNote
+      ? object
+      : nullptr;
+}
+
+
 template<class Type>
-const Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh>&
-Foam::functionObjects::soundPressureLevel::keep
+void Foam::functionObjects::soundPressureLevel::keep
 (
     const word& name,
     const dimensionSet& dimensions,
@@ -75,14 +97,12 @@ Foam::functionObjects::soundPressureLevel::keep
 
     if (!fields_.found(name))
     {
-        if (mesh_.foundObject<regIOobject>(name))
-        {
-            FatalErrorInFunction
-                << "There is a field " << name << " already: the function"
-                << " object " << this->name() << " cannot make one"
-                << exit(FatalError);
-        }
+        requireFree(name);
+        fields_.append(name);
+    }
 
+    if (!mesh_.foundObject<regIOobject>(name))
+    {
         auto* field = acoustics::cellField
         (
             name, mesh_, dimensions, inCells
@@ -91,14 +111,31 @@ Foam::functionObjects::soundPressureLevel::keep
         // Into the registry, where other function objects find it
         field->checkIn();
         field->store();
-        fields_.append(name);
     }
+    else if (own(name))
+    {
+        auto& field = mesh_.lookupObjectRef<fieldType>(name);
+        field.primitiveFieldRef() = inCells;
+        field.correctBoundaryConditions();
+    }
+}
 
-    auto& field = mesh_.lookupObjectRef<fieldType>(name);
-    field.primitiveFieldRef() = inCells;
-    field.correctBoundaryConditions();
 
-    return field;
+void Foam::functionObjects::soundPressureLevel::requireFree
+(
+    const word& name
+) const
+{
+    const auto* other = mesh_.cfindObject<regIOobject>(name);
+
+    if (other && (own(name) || other->note() != acoustics::cellFieldNote))
+    {
+        FatalErrorInFunction
+            << "There is a field " << name << " already, of another function"
+            << " object, such as fieldAverage or another soundPressureLevel:"
+            << " the function object " << this->name() << " cannot make one"
+            << exit(FatalError);
+    }
 }
 
 
@@ -153,6 +190,43 @@ void Foam::functionObjects::soundPressureLevel::writeTableHeader(Ostream& os)
 }
 
 
+void Foam::functionObjects::soundPressureLevel::judge(const scalar amplitude)
+{
+    using acoustics::harmonicFlow;
+
+    const harmonicFlow::terms now(harmonicFlow::first(*U_, nHarmonics_));
+    const scalarField& V = mesh_.V().field();
+
+    // Square of what the terms leave of the velocity, by Parseval's theorem
+    scalarField rest(USquared_->mean());
+    scalar all = 0;
+    scalar difference = 0;
+
+    forAll(now, i)
+    {
+        const scalar share = i == 0 ? 1 : 0.5;
+        rest -= share*magSqr(now[i]);
+
+        all += gSum(V*magSqr(now[i]));
+        if (terms_.size() == now.size())
+        {
+            difference += gSum(V*magSqr(now[i] - terms_[i]));
+        }
+    }
+
+    const scalar left =
+        gSum(V*max(rest, scalar(0)))/gSum(V);
+
+    quality_.difference = std::sqrt(left)/max(amplitude, VSMALL);
+    quality_.change =
+        terms_.size() == now.size()
+      ? std::sqrt(difference/max(all, VSMALL))
+      : 1;
+
+    terms_ = now;
+}
+
+
 void Foam::functionObjects::soundPressureLevel::calculate()
 {
     using acoustics::largestValue;
@@ -186,39 +260,29 @@ void Foam::functionObjects::soundPressureLevel::calculate()
         return result;
     };
 
-    const volScalarField& pRms = keep
+    const scalarField pRms
     (
-        "pRms",
-        dimPressure,
-        scalarField
-        (
-            sqrt(max(pSquared_->mean() - sqr(p_->mean()), scalar(0)))
-        )
+        sqrt(max(pSquared_->mean() - sqr(p_->mean()), scalar(0)))
     );
+    keep("pRms", dimPressure, pRms);
     keep("pMean", dimPressure, scalarField(p_->mean() + reference_));
     keep("SPL", dimless, level(pRms));
 
-    const volVectorField& UMean = keep("UMean", dimVelocity, U_->mean());
+    const vectorField& UMean = U_->mean();
+    keep("UMean", dimVelocity, UMean);
 
-    List<const volScalarField*> pAmp(nHarmonics_ + 1, nullptr);
-    List<const volScalarField*> UAmp(nHarmonics_ + 1, nullptr);
+    List<scalarField> pAmp(nHarmonics_ + 1);
+    List<scalarField> UAmp(nHarmonics_ + 1);
 
     for (label k = 1; k <= nHarmonics_; ++k)
     {
         const word number(std::to_string(k));
 
-        pAmp[k] = &keep
-        (
-            "pAmp" + number,
-            dimPressure,
-            scalarField(sqrt(sqr(p_->cosine(k)) + sqr(p_->sine(k))))
-        );
-        UAmp[k] = &keep
-        (
-            "UAmp" + number,
-            dimVelocity,
-            amplitude(U_->cosine(k), U_->sine(k))
-        );
+        pAmp[k] = sqrt(sqr(p_->cosine(k)) + sqr(p_->sine(k)));
+        keep("pAmp" + number, dimPressure, pAmp[k]);
+
+        UAmp[k] = amplitude(U_->cosine(k), U_->sine(k));
+        keep("UAmp" + number, dimVelocity, UAmp[k]);
 
         if (writeCoefficients_)
         {
@@ -227,6 +291,11 @@ void Foam::functionObjects::soundPressureLevel::calculate()
         }
     }
     keep("pPhase", dimless, phase(p_->cosine(1), p_->sine(1)));
+
+    if (writeCoefficients_)
+    {
+        judge(gMax(UAmp[1]));
+    }
 
 
     // The table
@@ -238,7 +307,7 @@ void Foam::functionObjects::soundPressureLevel::calculate()
     {
         if (loudest.cell >= 0)
         {
-            there[k] = (*pAmp[k])[loudest.cell];
+            there[k] = pAmp[k][loudest.cell];
         }
         reduce(there[k], sumOp<scalar>());
     }
@@ -256,11 +325,10 @@ void Foam::functionObjects::soundPressureLevel::calculate()
     }
     row.append
     (
-        gMax(pAmp[1]->primitiveField())
-       /max(gMin(pAmp[1]->primitiveField()), VSMALL)
+        gMax(pAmp[1])/max(gMin(pAmp[1]), VSMALL)
     );
-    row.append(gMax(UAmp[1]->primitiveField()));
-    row.append(gMax(mag(UMean.primitiveField())()));
+    row.append(gMax(UAmp[1]));
+    row.append(gMax(mag(UMean)()));
 
     if (!points_.empty())
     {
@@ -446,7 +514,39 @@ bool Foam::functionObjects::soundPressureLevel::write()
 {
     for (const word& name : fields_)
     {
-        writeObject(name);
+        if (auto* field = own(name))
+        {
+            field->write();
+        }
+    }
+
+    // Last: what it describes is complete
+    if (terms_.size() && own("UMean"))
+    {
+        dictionary dict;
+
+        dict.add("frequency", frequency_);
+        dict.add("harmonics", nHarmonics_);
+        dict.add
+        (
+            "magnitudes", acoustics::harmonicFlow::magnitudes(mesh_, terms_)
+        );
+        quality_.write(dict);
+
+        stateDictionary
+        (
+            IOobject
+            (
+                "harmonics",
+                mesh_.time().timeName(),
+                "uniform",
+                mesh_,
+                IOobject::NO_READ,
+                IOobject::NO_WRITE,
+                false
+            ),
+            dict
+        ).regIOobject::write();
     }
 
     return true;

@@ -1,5 +1,7 @@
 """A run that is interrupted, or killed, goes on as if nothing had happened."""
 
+import re
+import shutil
 import signal
 import subprocess
 import time
@@ -108,6 +110,129 @@ def test_continues(tmp_path, meshed, writeFormat, wake, bounces):
 
     same_clouds(whole, parts)
     same_tables(whole, parts, start)
+
+
+@pytest.mark.parametrize("precision", ["6", "12"])
+def test_continues_with_few_digits_in_the_names_of_times(
+    tmp_path, meshed, precision
+):
+    """A step that no name can hold; the value of the time is kept beside it."""
+    step = 1/1400/97
+    cases = []
+    for name in ("whole", "parts"):
+        case = prepare(tmp_path/name, meshed)
+        case.control("deltaT", f"{step:.17g}")
+        case.control("timePrecision", precision)
+        case.control("endTime", f"{20*step:.17g}")
+        cases.append(case)
+
+    whole, parts = cases
+    whole.run("acousticDEMFoam")
+    parts.control("endTime", f"{10*step:.17g}")
+    parts.run("acousticDEMFoam")
+    name = parts.times()[-1]
+    assert float(name) != 10*step
+    parts.control("endTime", f"{20*step:.17g}")
+    parts.run("acousticDEMFoam")
+    same_clouds(whole, parts)
+
+    # A folder that was renamed means what its name says
+    other = f"{float(name)*1.25:.{precision}g}"
+    for old in parts.times()[2:]:
+        shutil.rmtree(parts.path/old)
+    (parts.path/name).rename(parts.path/other)
+    parts.control("endTime", f"{float(other) + 10*step:.17g}")
+    parts.run("acousticDEMFoam")
+    assert float(parts.times()[-1]) > float(other) + 9.9*step
+
+
+@pytest.fixture(scope="module", name="stopped")
+def fixture_stopped(tmp_path_factory, meshed):
+    """Interrupted, with all that a state may have."""
+    case = prepare(tmp_path_factory.mktemp("stopped")/"case", meshed)
+    case.aerosol("numberConcentration", "3e12")
+    case.write(
+        "constant/aerosolProperties",
+        (case.path/"constant"/"aerosolProperties").read_text()
+        + "\nunsteadyDrag { type Basset; }\n",
+    )
+    case.control("endTime", repr(10*STEP))
+    case.run("acousticDEMFoam")
+    case.control("endTime", repr(12*STEP))
+    return case
+
+
+def lose(file):
+    file.unlink()
+
+
+def cut(file):
+    content = file.read_bytes()
+    file.write_bytes(content[:len(content)*2//3])
+
+
+def empty(file):
+    file.write_bytes(b"")
+
+
+def first_number(value):
+    def change(file):
+        content = file.read_bytes()
+        start = re.search(rb"\n\d+\s*\(", content[content.index(b"// *"):])
+        at = content.index(b"// *") + start.end()
+        file.write_bytes(
+            content[:at] + np.float64(value).tobytes() + content[at + 8:]
+        )
+    change.__name__ = f"first is {value}"
+    return change
+
+
+@pytest.mark.parametrize("name, damage, message", [
+    ("history3", lose, "'history3'"),
+    ("historyStep", lose, "'historyStep'"),
+    ("history0", empty, "'history0'"),
+    ("UBrownian", lose, "'UBrownian'"),
+    ("U", cut, "lagrangian/aerosol/U"),
+    ("id", empty, "'id'"),
+    ("d", first_number(0), "must be positive"),
+    ("mass", first_number(np.nan), "'mass'"),
+    ("position", first_number(np.inf), "no finite number"),
+    ("../../uniform/aerosolState", cut, "aerosolState"),
+    ("../../uniform/aerosolState", empty, "aerosolState"),
+], ids=lambda value: getattr(value, "__name__", str(value)))
+def test_refuses_a_state_that_is_not_whole(
+    tmp_path, stopped, name, damage, message
+):
+    case = copied(stopped, tmp_path/"case")
+    damage(case.path/case.times()[-1]/"lagrangian"/"aerosol"/name)
+    log = " ".join(case.run("acousticDEMFoam", status=1).split())
+    assert "FOAM FATAL" in log and message in log
+    assert "printStack" not in log
+
+
+def copied(case, directory):
+    copy = AerosolCase.__new__(AerosolCase)
+    copy.path = directory
+    shutil.copytree(case.path, directory, ignore=shutil.ignore_patterns("log.*"))
+    return copy
+
+
+def test_refuses_a_time_that_is_being_written(tmp_path, stopped):
+    case = copied(stopped, tmp_path/"case")
+    last = case.path/case.times()[-1]
+    (last/"uniform"/"incomplete").write_text("")
+    log = " ".join(case.run("acousticDEMFoam", status=1).split())
+    assert f"remove {last}" in log
+
+    # Nor from one where there was no time to write even that
+    (last/"uniform"/"incomplete").unlink()
+    for path in sorted(last.rglob("*"), reverse=True):
+        path.unlink() if path.is_file() else path.rmdir()
+    log = " ".join(case.run("acousticDEMFoam", status=1).split())
+    assert f"remove {last}" in log
+
+    last.rmdir()
+    assert "Continuing with" in case.run("acousticDEMFoam")
 
 
 def test_writes_a_row_per_interval(tmp_path, meshed):

@@ -77,10 +77,18 @@ def test_continues_explicitly_too(tmp_path):
     assert jump(parts, whole) < 1e-8
 
 
+LEVELS = ["U_0", "p_0", "T_0", "rho_0", "phi_0"]
+
+
 def test_needs_the_old_levels_for_that(tmp_path, reference):
     restarted = sound(
-        tmp_path/"case", interrupt=True,
-        forget=["U_0", "p_0", "T_0", "rho_0", "phi_0"],
+        tmp_path/"case", interrupt=True, forget=[*LEVELS, "phi"],
     )
 
     assert jump(restarted, reference) > 1e-3
+
+
+@pytest.mark.parametrize("forget", [LEVELS, ["T_0"], ["phi"]])
+def test_does_not_do_without_some_of_them(tmp_path, forget):
+    with pytest.raises(AssertionError, match="some are missing"):
+        sound(tmp_path/"case", interrupt=True, forget=forget)

@@ -243,7 +243,7 @@ TEST(harmonicFlow, namesItsFields)
 TEST(harmonicFlow, missesFieldsWithAMessage)
 {
     const block tube({5, 1, 1}, {length, 0.004, 0.004});
-    EXPECT_THROW(harmonicFlow::read(*tube.mesh, "0.1"), Foam::error);
+    EXPECT_THROW(harmonicFlow::read(*tube.mesh, "0.1", -1), Foam::error);
 }
 
 

@@ -23,24 +23,19 @@ Foam::acoustics::driveFactor::driveFactor
     const wordList& patches
 )
 :
-    IOdictionary
-    (
-        IOobject
-        (
-            name_,
-            mesh.time().timeName(),
-            "uniform",
-            mesh,
-            IOobject::READ_IF_PRESENT,
-            IOobject::AUTO_WRITE
-        )
-    ),
+    stateDictionary(name_, mesh, {"from", "to", "begin", "end"}),
     patches_(patches),
     from_(getOrDefault<scalar>("from", 1)),
     to_(getOrDefault<scalar>("to", 1)),
     begin_(getOrDefault<scalar>("begin", -GREAT)),
     end_(getOrDefault<scalar>("end", -GREAT))
-{}
+{
+    // A restart before the first change finds all of it, too
+    add("from", from_, true);
+    add("to", to_, true);
+    add("begin", begin_, true);
+    add("end", end_, true);
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -72,10 +67,10 @@ void Foam::acoustics::driveFactor::change
     begin_ = t;
     end_ = t + duration;
 
-    set("from", from_);
-    set("to", to_);
-    set("begin", begin_);
-    set("end", end_);
+    add("from", from_, true);
+    add("to", to_, true);
+    add("begin", begin_, true);
+    add("end", end_, true);
 }
 
 

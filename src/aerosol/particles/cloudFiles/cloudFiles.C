@@ -5,45 +5,28 @@
 
 #include "cloudFiles.H"
 
+#include "allDigits.H"
 #include "foamVersion.H"
-#include "IFstream.H"
 #include "IOdictionary.H"
 #include "IOField.H"
 #include "ListListOps.H"
 #include "ListOps.H"
-#include "OSspecific.H"
 #include "Pstream.H"
 #include "Time.H"
 #include "passiveParticleCloud.H"
 #include "polyMesh.H"
 #include "polyMeshTetDecomposition.H"
+#include "restartableTime.H"
+#include "stateDictionary.H"
 #include "treeDataCell.H"
 
 #include <algorithm>
+#include <cmath>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
 {
-
-//- Text with all digits of a double, for as long as this lives
-class allDigits
-{
-    const unsigned int previous_;
-
-public:
-
-    allDigits()
-    :
-        previous_(Foam::IOstream::defaultPrecision(17))
-    {}
-
-    ~allDigits()
-    {
-        Foam::IOstream::defaultPrecision(previous_);
-    }
-};
-
 
 Foam::vector column(const Foam::aerosol::vectors& v, const int i)
 {
@@ -162,6 +145,51 @@ Foam::labelList Foam::aerosol::cloudFiles::mine
 }
 
 
+bool Foam::aerosol::cloudFiles::remove(const word& name) const
+{
+    const fileName file = fileHandler().filePath
+    (
+        cloudFieldIO(*cloud_, name, IOobject::NO_READ).objectPath()
+    );
+
+    return returnReduce(fileHandler().rm(file), orOp<bool>());
+}
+
+
+void Foam::aerosol::cloudFiles::removeIfEmpty(const bool empty) const
+{
+    const fileName own =
+        cloudFieldIO(*cloud_, "id", IOobject::NO_READ).path();
+    const fileName there = fileHandler().filePath(own);
+
+    // Collated files are those of all ranks, and are written anew
+    fileHandler().rmDir(empty && there == own ? own : fileName(), true);
+}
+
+
+template<class Type>
+void Foam::aerosol::cloudFiles::requirePositive
+(
+    const word& name,
+    const Field<Type>& values
+) const
+{
+    for (const Type& value : values)
+    {
+        if (value <= 0)
+        {
+            FatalIOErrorInFunction
+            (
+                cloudFieldIO(*cloud_, name, IOobject::NO_READ).objectPath()
+            )
+                << "The file '" << name << "' " << place().c_str()
+                << " has the value " << value << ", but it must be positive"
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
 template<class Type, class Value>
 bool Foam::aerosol::cloudFiles::writeField
 (
@@ -191,7 +219,7 @@ bool Foam::aerosol::cloudFiles::writeState
     const label size
 ) const
 {
-    IOdictionary io(stateIO(IOobject::NO_READ), state);
+    stateDictionary io(stateIO(IOobject::NO_READ), state);
 
     io.set("particles", size);
 
@@ -199,8 +227,20 @@ bool Foam::aerosol::cloudFiles::writeState
 }
 
 
+Foam::string Foam::aerosol::cloudFiles::place() const
+{
+    return
+        "of the cloud " + cloud_->name() + " in time "
+      + mesh_.time().timeName();
+}
+
+
 template<class Type>
-Foam::Field<Type> Foam::aerosol::cloudFiles::readField(const word& name) const
+Foam::Field<Type> Foam::aerosol::cloudFiles::readField
+(
+    const word& name,
+    labelList& sizes
+) const
 {
     IOobject io(cloudFieldIO(*cloud_, name, IOobject::MUST_READ));
 
@@ -211,22 +251,44 @@ Foam::Field<Type> Foam::aerosol::cloudFiles::readField(const word& name) const
     parts[Pstream::myProcNo()] = IOField<Type>(io, mine);
     gatherToAll(parts);
 
-    return ListListOps::combine<Field<Type>>(parts, accessOp<Field<Type>>());
-}
+    const Field<Type> all
+    (
+        ListListOps::combine<Field<Type>>(parts, accessOp<Field<Type>>())
+    );
 
+    // The first one says how many there are on each rank
+    const bool first = sizes.empty();
+    sizes.setSize(parts.size());
 
-template<class Type>
-Foam::Field<Type> Foam::aerosol::cloudFiles::readFieldIfPresent
-(
-    const word& name
-) const
-{
-    IOobject io(cloudFieldIO(*cloud_, name, IOobject::MUST_READ));
+    forAll(parts, proci)
+    {
+        if (first)
+        {
+            sizes[proci] = parts[proci].size();
+        }
+        else if (parts[proci].size() != sizes[proci])
+        {
+            FatalIOErrorInFunction(io.objectPath())
+                << "The file '" << name << "' " << place().c_str() << " has "
+                << parts[proci].size() << " values"
+                << (Pstream::parRun() ? " on rank " + Foam::name(proci) : "")
+                << ", but there are " << sizes[proci] << " particles (of 'id')"
+                << exit(FatalIOError);
+        }
+    }
 
-    const bool found =
-        returnReduce(io.typeHeaderOk<IOField<Type>>(true), orOp<bool>());
+    forAll(all, i)
+    {
+        if (!std::isfinite(scalar(mag(all[i]))))
+        {
+            FatalIOErrorInFunction(io.objectPath())
+                << "The file '" << name << "' " << place().c_str()
+                << " has the value " << all[i] << ", which is no finite number"
+                << exit(FatalIOError);
+        }
+    }
 
-    return found ? readField<Type>(name) : Field<Type>();
+    return all;
 }
 
 
@@ -281,18 +343,18 @@ Foam::dictionary Foam::aerosol::cloudFiles::readState() const
         time.globalPath()/time.timeName()/"uniform"/io.name()
     );
 
-    if (Pstream::parRun() && isFile(undecomposed))
+    if (Pstream::parRun() && fileHandler().isFile(undecomposed))
     {
-        IFstream is(undecomposed);
-
-        return dictionary(is);
+        return dictionary(fileHandler().NewIFstream(undecomposed)());
     }
 
     FatalErrorInFunction
         << "The cloud " << cloud_->name() << " of time "
         << time.timeName() << " comes without the file "
         << io.objectPath()
-        << ", so that the run cannot be continued from there"
+        << ", so that the run cannot be continued from there. Go on from an"
+        << " earlier time; or, to begin anew, remove "
+        << (restartableTime::onAllRanks(time)/cloud::prefix).c_str()
         << exit(FatalError);
 
     return dictionary();
@@ -306,75 +368,66 @@ Foam::dictionary Foam::aerosol::cloudFiles::read
 ) const
 {
     const dictionary state(readState());
+
+    // The last one that is written
+    stateDictionary::require(state, {"particles"});
     const label size = state.get<label>("particles");
 
-    const Field<label> id(readField<label>("id"));
-    const Field<label> primaries(readField<label>("primaries"));
-    const Field<scalar> d(readField<scalar>("d"));
-    const Field<scalar> mass(readField<scalar>("mass"));
-    const Field<vector> position(readField<vector>("position"));
-    const Field<vector> U(readField<vector>("U"));
+    labelList sizes;
 
-    for
+    const Field<label> id(readField<label>("id", sizes));
+
+    if (id.size() != size)
+    {
+        FatalIOErrorInFunction(state)
+            << "There were " << size << " particles, but the files 'id' "
+            << place().c_str() << " have " << id.size() << " values"
+            << exit(FatalIOError);
+    }
+
+    const Field<label> primaries(readField<label>("primaries", sizes));
+    const Field<scalar> d(readField<scalar>("d", sizes));
+    const Field<scalar> mass(readField<scalar>("mass", sizes));
+    const Field<vector> position(readField<vector>("position", sizes));
+    const Field<vector> U(readField<vector>("U", sizes));
+
+    requirePositive("primaries", primaries);
+    requirePositive("d", d);
+    requirePositive("mass", mass);
+
+    // Files that are there only with Brownian motion, or unsteady drag; others
+    // may be left from an earlier run
+    const Field<vector> UBrownian
     (
-        const auto& field : std::initializer_list<std::pair<word, label>>
-        {
-            {"id", id.size()},
-            {"primaries", primaries.size()},
-            {"d", d.size()},
-            {"mass", mass.size()},
-            {"position", position.size()},
-            {"U", U.size()}
-        }
-    )
-    {
-        if (field.second != size)
-        {
-            FatalIOErrorInFunction(state)
-                << "There were " << size << " particles, but the files '"
-                << field.first << "' of the cloud " << cloud_->name()
-                << " in time " << mesh_.time().timeName() << " have "
-                << field.second << " values"
-                << exit(FatalIOError);
-        }
-    }
-
-    // Without Brownian motion there are no files of it
-    Field<vector> UBrownian(readFieldIfPresent<vector>("UBrownian"));
-
-    if (UBrownian.size() != size)
-    {
-        UBrownian = Field<vector>(size, Zero);
-    }
-
-    // Without unsteady drag there are none of its history
-    const Field<scalar> step(readFieldIfPresent<scalar>("historyStep"));
-    List<Field<vector>> history;
-
-    while (size > 0 && step.size() == size)
-    {
-        Field<vector> one
-        (
-            readFieldIfPresent<vector>(historyName(history.size()))
-        );
-
-        if (one.size() != size)
-        {
-            break;
-        }
-        history.append(one);
-    }
-
-    const Field<vector> framePosition
-    (
-        readFieldIfPresent<vector>("framePosition")
+        state.getOrDefault("UBrownian", false)
+      ? readField<vector>("UBrownian", sizes)
+      : Field<vector>(size, Zero)
     );
-    const Field<vector> frameU(readFieldIfPresent<vector>("frameU"));
-    const label nFrame =
-        framePosition.size() == size && frameU.size() == size ? size : 0;
 
-    frame.x.resize(3, nFrame);
-    frame.v.resize(3, nFrame);
+    List<Field<vector>> history(state.getOrDefault<label>("histories", 0));
+    Field<scalar> step;
+
+    if (history.size())
+    {
+        step = readField<scalar>("historyStep", sizes);
+
+        forAll(history, j)
+        {
+            history[j] = readField<vector>(historyName(j), sizes);
+        }
+    }
+
+    Field<vector> framePosition;
+    Field<vector> frameU;
+
+    if (state.getOrDefault("frame", false))
+    {
+        framePosition = readField<vector>("framePosition", sizes);
+        frameU = readField<vector>("frameU", sizes);
+    }
+
+    frame.x.resize(3, framePosition.size());
+    frame.v.resize(3, frameU.size());
 
     labelList order;
     sortedOrder(id, order);
@@ -389,9 +442,8 @@ Foam::dictionary Foam::aerosol::cloudFiles::read
         if (i && id[k] == id[order[i-1]])
         {
             FatalIOErrorInFunction(state)
-                << "The particle of id " << id[k] << " is there twice"
-                << " in the cloud " << cloud_->name() << " in time "
-                << mesh_.time().timeName()
+                << "The particle of id " << id[k] << " is there twice in the"
+                << " files " << place().c_str()
                 << exit(FatalIOError);
         }
 
@@ -417,7 +469,7 @@ Foam::dictionary Foam::aerosol::cloudFiles::read
             particles.history(0, i) = step[k];
         }
 
-        for (direction cmpt = 0; i < nFrame && cmpt < 3; ++cmpt)
+        for (direction cmpt = 0; i < frame.x.cols() && cmpt < 3; ++cmpt)
         {
             frame.x(cmpt, i) = framePosition[k][cmpt];
             frame.v(cmpt, i) = frameU[k][cmpt];
@@ -486,10 +538,7 @@ void Foam::aerosol::cloudFiles::write
 
     // A rank without particles writes no files; those of an earlier run with
     // the same time would be taken for its own
-    if (mine.empty())
-    {
-        rmDir(cloudFieldIO(*cloud_, "id", IOobject::NO_READ).path(), true);
-    }
+    removeIfEmpty(mine.empty());
 
     const Time& runTime = mesh_.time();
 
@@ -519,7 +568,10 @@ void Foam::aerosol::cloudFiles::write
         "U", mine, [&](label i) { return column(p.v, i); }
     );
 
-    if (p.thermal.size() && p.thermal.cwiseAbs().maxCoeff() > 0)
+    const bool thermal =
+        p.thermal.size() && p.thermal.cwiseAbs().maxCoeff() > 0;
+
+    if (thermal)
     {
         ok &= writeField<vector>
         (
@@ -528,7 +580,7 @@ void Foam::aerosol::cloudFiles::write
     }
     else
     {
-        rm(cloudFieldIO(*cloud_, "UBrownian", IOobject::NO_READ).objectPath());
+        remove("UBrownian");
     }
 
     if (frame.x.cols())
@@ -544,10 +596,8 @@ void Foam::aerosol::cloudFiles::write
     }
     else
     {
-        for (const word name : {"framePosition", "frameU"})
-        {
-            rm(cloudFieldIO(*cloud_, name, IOobject::NO_READ).objectPath());
-        }
+        remove("framePosition");
+        remove("frameU");
     }
 
     if (p.history.rows())
@@ -574,29 +624,21 @@ void Foam::aerosol::cloudFiles::write
     }
     else
     {
-        rm
-        (
-            cloudFieldIO(*cloud_, "historyStep", IOobject::NO_READ).objectPath()
-        );
+        remove("historyStep");
     }
+
+    const int histories = (p.history.rows() + 1)/3;
 
     // Left by a run that remembered more
-    for (int j = (p.history.rows() + 1)/3; ; ++j)
-    {
-        const fileName left
-        (
-            cloudFieldIO(*cloud_, historyName(j), IOobject::NO_READ)
-           .objectPath()
-        );
-
-        if (!rm(left))
-        {
-            break;
-        }
-    }
+    for (int j = histories; remove(historyName(j)); ++j)
+    {}
 
     // Last: what it describes is complete
-    ok &= writeState(state, p.size());
+    dictionary whole(state);
+    whole.set("UBrownian", Switch(thermal));
+    whole.set("histories", label(histories));
+    whole.set("frame", Switch(frame.x.cols() > 0));
+    ok &= writeState(whole, p.size());
 
     if (!returnReduce(ok, andOp<bool>()))
     {
