@@ -21,6 +21,7 @@ Description
 #include "aerosolClouds.H"
 #include "argList.H"
 #include "caseLock.H"
+#include "checkTimes.H"
 #include "columnFvMesh.H"
 #include "functionObjectList.H"
 #include "functionObject.H"
@@ -28,6 +29,7 @@ Description
 #include "mapPolyMesh.H"
 #include "profiling.H"
 #include "progressReport.H"
+#include "runGuard.H"
 #include "soundField.H"
 #include "tableFolder.H"
 #include "Time.H"
@@ -74,10 +76,17 @@ int main(int argc, char *argv[])
     #define NO_CONTROL
     #include "postProcess.H"
 
-    #include "addCheckCaseOptions.H"
+    argList::addBoolOption
+    (
+        "dry-run",
+        "Read and check the case, report, and end before the first step"
+    );
+
     #include "setRootCase.H"
 
     Info<< versionLine() << nl << endl;
+
+    runGuard::begin();
 
     // A limit of the size of files is an error like a full disk, no signal
     std::signal(SIGXFSZ, SIG_IGN);
@@ -88,17 +97,27 @@ int main(int argc, char *argv[])
         args.found("dry-run") ? nullptr : new caseLock(args.globalPath())
     );
 
+    runGuard::reading numbers;
+
     #include "createTime.H"
-    #include "createMesh.H"
+
+    numbers.end();
+    checkTimes(runTime);
+
+    #include "createRealMesh.H"
     #include "createFields.H"
+
+    if (args.found("dry-run"))
+    {
+        Info<< "\nNo time step: this is a dry run\n\nEnd\n" << endl;
+
+        return 0;
+    }
 
     writing([&] { clouds.begin(); });
 
-    if (!args.found("dry-run"))
-    {
-        requireWritten(runTime.timePath()/"lagrangian");
-        requireWritten(runTime.timePath()/"uniform");
-    }
+    requireWritten(runTime.timePath()/"lagrangian");
+    requireWritten(runTime.timePath()/"uniform");
 
     Info<< "\nStarting time loop\n" << endl;
 
@@ -117,6 +136,8 @@ int main(int argc, char *argv[])
         }
 
         ++runTime;
+
+        const runGuard::activity what(progress.activity());
 
         sound->advance();
         clouds.evolve();

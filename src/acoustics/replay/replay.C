@@ -178,6 +178,20 @@ Foam::acoustics::replay::chamber::chamber
     if (dict.found("frequency"))
     {
         frequency = readPositive(dict, "frequency", dimless/dimTime);
+
+        if
+        (
+            replayed.found("frequency")
+         && mag(replayed.get<scalar>("frequency") - frequency)
+          > 1e-5*frequency
+        )
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry 'frequency' of " << dict.name() << " is "
+                << frequency << " Hz, but the sound that is replayed was solved"
+                << " at " << replayed.get<scalar>("frequency") << " Hz"
+                << exit(FatalIOError);
+        }
     }
     else if (replayed.found("frequency"))
     {
