@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "checkedEntry.H"
+#include "checkedDictionary.H"
 
 #include "ITstream.H"
 #include "OStringStream.H"
@@ -110,7 +111,7 @@ Foam::scalar Foam::readFinite
     {
         OStringStream text;
         text << number;
-        refuseText(dict, key, "is '" + text.str() + "'");
+        refuseText(dict, key, "is '" + visible(text.str()) + "'");
     }
 
     const scalar value = multiplier*number.number();
@@ -186,8 +187,8 @@ void Foam::requireOnly(const dictionary& dict, const wordList& valid)
         if (!valid.found(key))
         {
             FatalIOErrorInFunction(dict)
-                << "Unknown entry '" << key << "' in " << dict.name()
-                << "; valid entries are " << valid
+                << "Unknown entry '" << visible(key).c_str() << "' in "
+                << dict.name() << "; valid entries are " << valid
                 << exit(FatalIOError);
         }
     }
@@ -218,35 +219,46 @@ Foam::scalar Foam::readNonNegative
 }
 
 
-Foam::label Foam::readSeed(const dictionary& dict)
-{
-    const label seed = dict.getOrDefault<label>("seed", 1);
-
-    if (seed < 0)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'seed' of " << dict.name() << " is " << seed
-            << ", but it must be a whole number, zero or more"
-            << exit(FatalIOError);
-    }
-
-    return seed;
-}
-
-
-Foam::vector Foam::readVector
+Foam::label Foam::readInteger
 (
     const dictionary& dict,
     const word& key,
-    const dimensionSet& dimensions,
-    const vector& defaultValue
+    const label defaultValue,
+    const label least,
+    const label most
 )
 {
-    if (!dict.found(key))
+    const scalar value =
+        dict.found(key) ? readFinite(dict, key, dimless) : defaultValue;
+
+    if (value < least || value > most || value != std::floor(value))
     {
-        return defaultValue;
+        OStringStream valid;
+        valid << "a whole number, " << least << " or more";
+        if (most < labelMax)
+        {
+            valid << ", up to " << most;
+        }
+        refuse(dict, key, value, valid.str().c_str());
     }
 
+    return label(value);
+}
+
+
+Foam::label Foam::readSeed(const dictionary& dict)
+{
+    return readInteger(dict, "seed", 1, 0);
+}
+
+
+Foam::vector Foam::getVector
+(
+    const dictionary& dict,
+    const word& key,
+    const dimensionSet& dimensions
+)
+{
     scalar multiplier;
     ITstream& is = readDimensions(dict, key, dimensions, multiplier);
 
@@ -265,6 +277,18 @@ Foam::vector Foam::readVector
 }
 
 
+Foam::vector Foam::readVector
+(
+    const dictionary& dict,
+    const word& key,
+    const dimensionSet& dimensions,
+    const vector& defaultValue
+)
+{
+    return dict.found(key) ? getVector(dict, key, dimensions) : defaultValue;
+}
+
+
 Foam::vector Foam::readDirection
 (
     const dictionary& dict,
@@ -272,9 +296,12 @@ Foam::vector Foam::readDirection
     const vector& defaultValue
 )
 {
-    const vector value = dict.getOrDefault<vector>(key, defaultValue);
+    const vector value = readVector(dict, key, dimless, defaultValue);
 
-    if (mag(value) < VSMALL)
+    // Of huge numbers, too, the square is one
+    const scalar largest = cmptMax(cmptMag(value));
+
+    if (largest < VSMALL)
     {
         FatalIOErrorInFunction(dict)
             << "Entry '" << key << "' of " << dict.name()
@@ -282,7 +309,9 @@ Foam::vector Foam::readDirection
             << exit(FatalIOError);
     }
 
-    return value/mag(value);
+    const vector scaled = value/largest;
+
+    return scaled/mag(scaled);
 }
 
 

@@ -21,6 +21,7 @@ Description
 #include "aerosolClouds.H"
 #include "argList.H"
 #include "caseLock.H"
+#include "checkTimes.H"
 #include "columnFvMesh.H"
 #include "functionObjectList.H"
 #include "functionObject.H"
@@ -29,6 +30,7 @@ Description
 #include "profiling.H"
 #include "progressReport.H"
 #include "restartableTime.H"
+#include "runGuard.H"
 #include "soundField.H"
 #include "tableFolder.H"
 #include "Time.H"
@@ -75,10 +77,17 @@ int main(int argc, char *argv[])
     #define NO_CONTROL
     #include "postProcess.H"
 
-    #include "addCheckCaseOptions.H"
+    argList::addBoolOption
+    (
+        "dry-run",
+        "Read and check the case, report, and end before the first step"
+    );
+
     #include "setRootCase.H"
 
     Info<< versionLine() << nl << endl;
+
+    runGuard::begin();
 
     // A limit of the size of files is an error like a full disk, no signal
     std::signal(SIGXFSZ, SIG_IGN);
@@ -89,19 +98,28 @@ int main(int argc, char *argv[])
         args.found("dry-run") ? nullptr : new caseLock(args.globalPath())
     );
 
+    runGuard::reading numbers;
+
     Info<< "Create time\n" << endl;
     restartableTime runTime(Time::controlDictName, args);
 
-    #include "createMesh.H"
+    numbers.end();
+    checkTimes(runTime);
+
+    #include "createRealMesh.H"
     #include "createFields.H"
+
+    if (args.found("dry-run"))
+    {
+        Info<< "\nNo time step: this is a dry run\n\nEnd\n" << endl;
+
+        return 0;
+    }
 
     writing([&] { clouds.begin(); });
 
-    if (!args.found("dry-run"))
-    {
-        requireWritten(runTime.timePath()/"lagrangian");
-        requireWritten(runTime.timePath()/"uniform");
-    }
+    requireWritten(runTime.timePath()/"lagrangian");
+    requireWritten(runTime.timePath()/"uniform");
 
     Info<< "\nStarting time loop\n" << endl;
 
@@ -120,6 +138,8 @@ int main(int argc, char *argv[])
         }
 
         ++runTime;
+
+        const runGuard::activity what(progress.activity());
 
         sound->advance();
         clouds.evolve();

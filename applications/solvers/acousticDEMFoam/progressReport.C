@@ -16,9 +16,20 @@
 namespace
 {
 
-//- Hours, minutes or seconds, whichever reads well
+//- Years, hours, minutes or seconds, whichever reads well
 std::string duration(const Foam::scalar seconds)
 {
+    constexpr Foam::scalar year = 365.25*86400;
+
+    if (seconds > year)
+    {
+        std::ostringstream os;
+        os.precision(3);
+        os  << seconds/year << " years";
+
+        return os.str();
+    }
+
     const long s = std::lround(seconds);
 
     if (s < 100)
@@ -61,6 +72,15 @@ bool Foam::progressReport::due() const
     broadcast(now);
 
     return now;
+}
+
+
+std::string Foam::progressReport::activity() const
+{
+    return
+        "computing the step to time " + time_.timeName() + " s, of which "
+      + time_.systemPath()/"controlDict" + " and the files in "
+      + time_.constantPath() + " are the input";
 }
 
 

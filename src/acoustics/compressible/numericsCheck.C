@@ -8,7 +8,11 @@
 #include "fvMesh.H"
 #include "mathematicalConstants.H"
 #include "pimpleControl.H"
+#include "surfaceFields.H"
+#include "syncTools.H"
 #include "volFields.H"
+
+#include <sstream>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -20,6 +24,9 @@ constexpr double minCellsPerWavelength = 50;
 
 //- Of the explicit scheme: a frequency that is 0.03 % low
 constexpr double minCellsExplicit = 20;
+
+//- Ratio of the volumes of neighbours: grading is less, refinement is more
+constexpr double maxRatio = 1.9;
 
 } // End anonymous namespace
 
@@ -99,38 +106,88 @@ Foam::acoustics::numericsCheck::numericsCheck
 )
 :
     mesh_(mesh),
-    stepsPerPeriod_(1/(frequency*mesh.time().deltaTValue()))
+    stepsPerPeriod_(1/(frequency*mesh.time().deltaTValue())),
+    nUnequal_(0),
+    largestRatio_(1)
 {
-    vector smallest(vector::max);
-    vector largest(vector::zero);
+    // From cell to cell, whatever the direction of the mesh is. Across a mesh
+    // that is one cell thick, sound does not propagate.
+    const surfaceScalarField& perDistance = mesh.deltaCoeffs();
 
-    for (const labelList& points : mesh.cellPoints())
+    scalar least = GREAT;
+    scalar most = 0;
+
+    const auto add = [&](const scalarField& values)
     {
-        const vector size = boundBox(mesh.points(), points, false).span();
-
-        smallest = min(smallest, size);
-        largest = max(largest, size);
-    }
-
-    reduce(smallest, minOp<vector>());
-    reduce(largest, maxOp<vector>());
-
-    // Sound does not propagate across a mesh that is one cell thick
-    const vector span = mesh.bounds().span();
-    scalar smallestCell = GREAT;
-    scalar largestCell = 0;
-
-    for (direction d = 0; d < 3; ++d)
-    {
-        if (mesh.solutionD()[d] != -1 && largest[d] < 0.99*span[d])
+        for (const scalar value : values)
         {
-            smallestCell = min(smallestCell, smallest[d]);
-            largestCell = max(largestCell, largest[d]);
+            least = min(least, value);
+            most = max(most, value);
+        }
+    };
+
+    add(perDistance.primitiveField());
+    for (const fvsPatchScalarField& patch : perDistance.boundaryField())
+    {
+        if (patch.coupled())
+        {
+            add(patch);
         }
     }
 
-    cellsPerWavelength_ = soundSpeed/frequency/max(largestCell, SMALL);
-    acousticCourant_ = soundSpeed*mesh.time().deltaTValue()/smallestCell;
+    reduce(least, minOp<scalar>());
+    reduce(most, maxOp<scalar>());
+
+    if (most == 0)
+    {
+        FatalErrorInFunction
+            << "The mesh has one cell: it can hold no sound"
+            << exit(FatalError);
+    }
+
+    // Coupled faces are seen from both sides
+    const auto compare = [&](const scalar a, const scalar b, const label sides)
+    {
+        const scalar ratio = max(a/b, b/a);
+
+        largestRatio_ = max(largestRatio_, ratio);
+        nUnequal_ += ratio > maxRatio ? sides : 0;
+    };
+
+    const scalarField& V = mesh.cellVolumes();
+
+    forAll(mesh.faceNeighbour(), facei)
+    {
+        compare(V[mesh.faceOwner()[facei]], V[mesh.faceNeighbour()[facei]], 2);
+    }
+
+    scalarField Vb;
+    syncTools::swapBoundaryCellList(mesh, V, Vb);
+
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if (patch.coupled())
+        {
+            forAll(patch, i)
+            {
+                const label facei = patch.start() + i;
+
+                compare
+                (
+                    V[mesh.faceOwner()[facei]],
+                    Vb[facei - mesh.nInternalFaces()],
+                    1
+                );
+            }
+        }
+    }
+
+    reduce(nUnequal_, sumOp<label>());
+    nUnequal_ /= 2;
+    reduce(largestRatio_, maxOp<scalar>());
+
+    cellsPerWavelength_ = soundSpeed/frequency*least;
+    acousticCourant_ = soundSpeed*mesh.time().deltaTValue()*most;
 }
 
 
@@ -143,6 +200,19 @@ void Foam::acoustics::numericsCheck::report(Ostream& os) const
         << "), " << cellsPerWavelength_
         << " cells per wavelength, acoustic Courant number "
         << acousticCourant_ << endl;
+}
+
+
+void Foam::acoustics::numericsCheck::warnOfRefinement(const char* what) const
+{
+    if (nUnequal_)
+    {
+        WarningInFunction
+            << "At " << nUnequal_ << " faces the volumes of the cells on both"
+            << " sides differ by a factor of up to " << largestRatio_
+            << ", as where a mesh is refined 2:1." << nl << "    " << what
+            << endl;
+    }
 }
 
 
@@ -177,6 +247,13 @@ void Foam::acoustics::numericsCheck::warn
             << 100*shift << " % low" << endl;
     }
 
+    warnOfRefinement
+    (
+        "The interpolation between them is of first order: a part of the sound"
+        " is reflected there, the more the coarser the cells are. Refine the"
+        " whole length of the sound, or grade the cells"
+    );
+
     // The terms usually share one scheme: one warning for each scheme that
     // differs is enough
     const wordList terms
@@ -209,6 +286,19 @@ void Foam::acoustics::numericsCheck::warn
 void Foam::acoustics::numericsCheck::warnExplicit() const
 {
     using constant::mathematical::twoPi;
+
+    std::ostringstream slower;
+    slower << 100*sqr(twoPi/cellsPerWavelength_)/6;
+
+    warnOfRefinement
+    (
+        (
+            "There the scheme is of second order, not of fourth: where the"
+            " cells are largest, sound is up to "
+          + slower.str() + " % slow, and a part of it is reflected. Refine the"
+            " whole length of the sound, or grade the cells"
+        ).c_str()
+    );
 
     if (cellsPerWavelength_ < 0.99*minCellsExplicit)
     {

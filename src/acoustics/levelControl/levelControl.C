@@ -7,10 +7,11 @@
 
 #include "acousticPistonFvPatchVectorField.H"
 #include "acousticPressureFvPatchScalarField.H"
-#include "checkedEntry.H"
+#include "checkedDictionary.H"
 #include "foamVersion.H"
 #include "mathematicalConstants.H"
 #include "soundLevel.H"
+#include "soundSources.H"
 #include "volFields.H"
 
 #include <cmath>
@@ -450,6 +451,12 @@ Foam::acoustics::levelControl::levelControl
          "rampPeriods"}
     );
 
+    soundSources
+    (
+        mesh.lookupObject<volScalarField>("p"),
+        mesh.lookupObject<volVectorField>("U")
+    ).requireFrequency(frequency, patches_, dict);
+
     const word place = dict.getOrDefault<word>("place", "maximum");
 
     if (place != "maximum" && place != "point")
@@ -466,7 +473,7 @@ Foam::acoustics::levelControl::levelControl
     }
     if (place == "point")
     {
-        point_.reset(new meshPoint(mesh, dict.get<point>("point")));
+        point_.reset(new meshPoint(mesh, getVector(dict, "point", dimLength)));
     }
 
     Info<< "    level control: " << soundLevel::SPL(target_) << " dB within "

@@ -5,19 +5,123 @@
 
 #include "meshSound.H"
 
-#include "checkedEntry.H"
+#include "airProperties.H"
+#include "checkedDictionary.H"
 #include "fvMesh.H"
 #include "gasEntries.H"
 #include "levelControl.H"
 #include "mathematicalConstants.H"
 #include "regionSampler.H"
-#include "simplifiedFvMesh.H"
+#include "runGuard.H"
 #include "soundLevel.H"
+#include "soundSources.H"
 #include "thermodynamicConstants.H"
+#include "waveTransmissiveFvPatchFields.H"
 
 #include <algorithm>
+#include <tuple>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+const Foam::fvMesh& Foam::acoustics::meshSound::checked(const fvMesh& mesh)
+{
+    // In the cells and where a boundary condition says what it is
+    const auto range = [&](const word& name)
+    {
+        const runGuard::activity what
+        (
+            "reading " + mesh.time().timeName() + '/' + name
+        );
+        const runGuard::reading numbers;
+
+        const volScalarField field
+        (
+            IOobject
+            (
+                name,
+                mesh.time().timeName(),
+                mesh,
+                IOobject::MUST_READ,
+                IOobject::NO_WRITE,
+                false
+            ),
+            mesh
+        );
+
+        scalar least = gMin(field.primitiveField());
+        scalar most = gMax(field.primitiveField());
+
+        // Of fields with numbers that are none, these may be anything
+        const scalar mean = gAverage(field.primitiveField());
+        if (!std::isfinite(mean))
+        {
+            most = mean;
+        }
+
+        for (const fvPatchScalarField& patch : field.boundaryField())
+        {
+            if (patch.fixesValue())
+            {
+                least = min(least, gMin(patch));
+                most = max(most, gMax(patch));
+            }
+        }
+
+        return std::make_tuple(field.objectPath(), least, most);
+    };
+
+    const auto [pFile, pLeast, pMost] = range("p");
+    const auto [TFile, TLeast, TMost] = range("T");
+
+    for (const scalar p : {pLeast, pMost})
+    {
+        requirePlausible(p, gasProperties::air().T, pFile);
+    }
+    for (const scalar T : {TLeast, TMost})
+    {
+        requirePlausible(atmosphere, T, TFile);
+    }
+
+    return mesh;
+}
+
+
+void Foam::acoustics::meshSound::checkBoundaries(const dictionary& dict) const
+{
+    const scalar p = thermo_->p().weightedAverage(mesh_.V()).value();
+    const scalar gamma = thermo_->gamma()().weightedAverage(mesh_.V()).value();
+
+    const soundSources sources(thermo_->p(), U_);
+    sources.warnOfFrequency
+    (
+        frequency(),
+        "'frequency' in " + dict.name()
+    );
+    sources.checkAmplitudes(p, gas_);
+
+    for (const fvPatchScalarField& patch : thermo_->p().boundaryField())
+    {
+        const auto* wave = isA<waveTransmissiveFvPatchScalarField>(patch);
+
+        if (wave && mag(wave->gamma() - gamma) > 0.01*gamma)
+        {
+            WarningInFunction
+                << "'gamma' of the patch " << patch.patch().name() << " in "
+                << thermo_->p().objectPath() << " is " << wave->gamma()
+                << ", but Cp/Cv of the gas is " << gamma
+                << ": sound that leaves is reflected in part" << endl;
+        }
+        if (wave && wave->lInf() > 0 && mag(wave->fieldInf() - p) > 0.01*p)
+        {
+            WarningInFunction
+                << "'fieldInf' of the patch " << patch.patch().name() << " in "
+                << thermo_->p().objectPath() << " is " << wave->fieldInf()
+                << " Pa, but the mean pressure of the gas is " << p
+                << " Pa: a flow sets in" << endl;
+        }
+    }
+}
+
 
 Foam::acoustics::gasProperties Foam::acoustics::meshSound::undisturbedGas()
 {
@@ -103,16 +207,16 @@ Foam::acoustics::meshSound::meshSound
     expectedVelocity_(-1),
     storedGas_("undisturbedGas", mesh, gasNames()),
     continued_(storedGas_.size()),
-    mesh_(mesh),
+    mesh_(checked(mesh)),
     thermo_(psiThermo::New(mesh)),
     rho_(stored("rho", mesh, IOobject::READ_IF_PRESENT), thermo_->rho()),
     U_(stored("U", mesh, IOobject::MUST_READ), mesh)
 {
     gas_ = undisturbedGas();
 
-    Info<< "    gas: rho " << gas_.rho << " kg/m3, mu " << gas_.mu
-        << " Pa s, T " << gas_.T << " K, c " << gas_.c
-        << " m/s, mean free path " << gas_.meanFreePath << " m" << endl;
+    Info<< "    gas: " << gas_ << endl;
+
+    checkBoundaries(dict);
 
     if (dict.found("SPL") || dict.found("velocityAmplitude"))
     {
@@ -124,6 +228,8 @@ Foam::acoustics::meshSound::meshSound
 
     if (dict.found("control"))
     {
+        optionalDict(dict, "control");
+
         control_.reset
         (
             new levelControl
@@ -170,8 +276,7 @@ Foam::label Foam::acoustics::meshSound::prepare(const boundBox& region)
         << ' ' << spacing[2] << ") m apart: up to " << 100*error
         << " % of the amplitude are lost between them" << endl;
 
-    // The mesh of a -dry-run is coarse
-    if (error > 1e-3 && !isA<simplifiedFvMesh>(mesh_))
+    if (error > 1e-3)
     {
         WarningInFunction
             << "The region in which the gas velocity is needed is so large, or"

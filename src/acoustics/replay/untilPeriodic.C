@@ -7,10 +7,11 @@
 
 #include "addToRunTimeSelectionTable.H"
 #include "cellField.H"
-#include "checkedEntry.H"
+#include "checkedDictionary.H"
 #include "gasEntries.H"
 #include "levelControl.H"
 #include "selectModel.H"
+#include "soundSources.H"
 #include "volFields.H"
 
 #include <cmath>
@@ -351,7 +352,7 @@ Foam::acoustics::untilPeriodic::untilPeriodic
     (
         readPositive(dict, "harmonicTolerance", dimless, 1e-3)
     ),
-    resolveEvery_(dict.getOrDefault<label>("resolveEvery", 0)),
+    resolveEvery_(readInteger(dict, "resolveEvery", 0, 0)),
     state_
     (
         stateName,
@@ -360,7 +361,7 @@ Foam::acoustics::untilPeriodic::untilPeriodic
         IOobject::NO_WRITE
     ),
     expectedAmplitude_(-1),
-    sum_(frequency(), dict.getOrDefault<label>("harmonics", 5)),
+    sum_(frequency(), readInteger(dict, "harmonics", 5, 1, 100)),
     nSteady_(0),
     replaying_(state_.size()),
     handOver_(0),
@@ -376,14 +377,6 @@ Foam::acoustics::untilPeriodic::untilPeriodic
          "harmonicTolerance", "resolveEvery"}
     );
 
-    if (resolveEvery_ < 0)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'resolveEvery' of " << dict.name() << " is "
-            << resolveEvery_ << ", but it must be a number of periods, or 0"
-            << " for never" << exit(FatalIOError);
-    }
-
     const scalar steps = 1/(frequency()*mesh.time().deltaTValue());
     if (resolveEvery_ && mag(steps - std::round(steps)) > 1e-5*steps)
     {
@@ -391,14 +384,6 @@ Foam::acoustics::untilPeriodic::untilPeriodic
             << "A sound that is solved again goes on where it was in the"
             << " period: with resolveEvery the time step must fit the period,"
             << " which has " << steps << " of them" << exit(FatalIOError);
-    }
-
-    if (sum_.nHarmonics() < 1)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'harmonics' of " << dict.name() << " is "
-            << sum_.nHarmonics() << ", but it must be 1 or more"
-            << exit(FatalIOError);
     }
 
     if (replaying_)
@@ -468,6 +453,15 @@ Foam::acoustics::untilPeriodic::untilPeriodic
 
     gas_ = solved_->gas();
     expectedAmplitude_ = solved_->expectedAmplitude();
+
+    if (!dict.found("startTime"))
+    {
+        soundSources
+        (
+            mesh.lookupObject<volScalarField>("p"),
+            mesh.lookupObject<volVectorField>("U")
+        ).requirePeriod(frequency(), solve);
+    }
 
     if (replaying_)
     {

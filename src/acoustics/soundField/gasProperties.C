@@ -5,6 +5,7 @@
 
 #include "gasProperties.H"
 
+#include "airProperties.H"
 #include "checkedEntry.H"
 #include "dictionary.H"
 #include "mathematicalConstants.H"
@@ -50,17 +51,30 @@ Foam::acoustics::gasProperties Foam::acoustics::gasProperties::read
     const dictionary& dict
 )
 {
-    requireOnly(dict, {"rho", "mu", "T", "c", "meanFreePath"});
+    requireOnly(dict, {"T", "p", "rho", "mu", "c", "meanFreePath"});
 
-    const gasProperties air = gasProperties::air();
-    gasProperties gas;
+    const scalar T = readPositive(dict, "T", dimTemperature, air().T);
+    const scalar p = readPositive(dict, "p", dimPressure, atmosphere);
 
-    gas.rho = readPositive(dict, "rho", dimDensity, air.rho);
-    gas.mu = readPositive(dict, "mu", dimDynamicViscosity, air.mu);
-    gas.T = readPositive(dict, "T", dimTemperature, air.T);
-    gas.c = readPositive(dict, "c", dimVelocity, air.c);
-    gas.meanFreePath =
-        readPositive(dict, "meanFreePath", dimLength, air.meanFreePath);
+    requirePlausible(p, T, dict.name(), dict.startLineNumber());
+
+    if (dict.found("p") && dict.found("rho"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "The density of a perfect gas follows from 'p' and 'T': give"
+            << " either 'p' or 'rho' in " << dict.name()
+            << exit(FatalIOError);
+    }
+
+    gasProperties gas = airAt(T, p);
+
+    gas.rho = readPositive(dict, "rho", dimDensity, gas.rho);
+    gas.mu = readPositive(dict, "mu", dimDynamicViscosity, gas.mu);
+    gas.c = readPositive(dict, "c", dimVelocity, gas.c);
+    gas.meanFreePath = readPositive
+    (
+        dict, "meanFreePath", dimLength, airMeanFreePath(gas)
+    );
 
     return gas;
 }

@@ -7,7 +7,9 @@
 
 #include "describe.H"
 #include "fvMesh.H"
-#include "IOdictionary.H"
+#include "checkedDictionary.H"
+#include "propertiesFile.H"
+#include "runGuard.H"
 #include "selectModel.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -37,15 +39,13 @@ Foam::autoPtr<Foam::acoustics::soundField> Foam::acoustics::soundField::New
 {
     const IOdictionary properties
     (
-        IOobject
-        (
-            "acousticProperties",
-            mesh.time().constant(),
-            mesh,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        )
+        readProperties("acousticProperties", mesh)
+    );
+    requireDictionaries(properties, {"sound"});
+
+    const runGuard::activity what
+    (
+        "making the sound of constant/acousticProperties"
     );
 
     const dictionary& dict = properties.subDict("sound");

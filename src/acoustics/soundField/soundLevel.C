@@ -64,16 +64,46 @@ Foam::acoustics::soundLevel Foam::acoustics::soundLevel::read
             << exit(FatalIOError);
     }
 
+    // The mean pressure of a gas of two atoms; nothing goes below vacuum, and
+    // what sound is ends earlier
+    const scalar most = 0.5*gas.rho*sqr(gas.c)/1.4;
+
+    const auto refuse = [&]
+    (
+        const char* key,
+        const scalar value,
+        const scalar end
+    )
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry '" << key << "' of " << dict.name() << " is " << value
+            << ", but above " << end << " the amplitude would be more than half"
+            << " the pressure of the gas: there is no such sound"
+            << exit(FatalIOError);
+    };
+
     if (dict.found("SPL"))
     {
-        return fromSPL(readFinite(dict, "SPL", dimless), gas);
+        const scalar SPL = readFinite(dict, "SPL", dimless);
+        const scalar loudest = soundLevel::SPL(most/std::sqrt(2.0));
+
+        if (SPL > loudest)
+        {
+            refuse("SPL", SPL, loudest);
+        }
+
+        return fromSPL(SPL, gas);
     }
 
-    return fromVelocity
-    (
-        readNonNegative(dict, "velocityAmplitude", dimVelocity, 0),
-        gas
-    );
+    const scalar u = readNonNegative(dict, "velocityAmplitude", dimVelocity, 0);
+    const scalar fastest = most/(gas.rho*gas.c);
+
+    if (u > fastest)
+    {
+        refuse("velocityAmplitude", u, fastest);
+    }
+
+    return fromVelocity(u, gas);
 }
 
 

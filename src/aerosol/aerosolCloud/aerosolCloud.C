@@ -4,12 +4,11 @@
 \*---------------------------------------------------------------------------*/
 
 #include "aerosolCloud.H"
-#include "checkedEntry.H"
+#include "checkedDictionary.H"
 #include "describe.H"
 #include "sameContents.H"
 #include "fvMesh.H"
 #include "particleSource.H"
-#include "simplifiedFvMesh.H"
 #include "Time.H"
 #include "vectorEntry.H"
 
@@ -52,8 +51,8 @@ Foam::aerosol::aerosolCloud::aerosolCloud
     ),
     mesh_(mesh),
     dict_(requireKnownModels(dict)),
-    domain_(domain::New(dict_.subDict("domain"))),
-    sound_(sound, dict_.subOrEmptyDict("turbulence"), *domain_),
+    domain_(domainInMesh(dict_.subDict("domain"), mesh)),
+    sound_(sound, optionalDict(dict_, "turbulence"), *domain_),
     bricks_(*domain_),
     motion_
     (
@@ -64,7 +63,7 @@ Foam::aerosol::aerosolCloud::aerosolCloud
     ),
     contacts_(dict_),
     suitability_(dict_, mesh.time(), *domain_, sound_, motion_, contacts_),
-    breakages_(dict_.subOrEmptyDict("breakage")),
+    breakages_(optionalDict(dict_, "breakage")),
     timeStepping_
     (
         timeStepping::New
@@ -76,7 +75,7 @@ Foam::aerosol::aerosolCloud::aerosolCloud
     files_(mesh, name),
     reportsContacts_
     (
-        dict_.subOrEmptyDict("report").getOrDefault<Switch>
+        optionalDict(dict_, "report").getOrDefault<Switch>
         (
             "contacts",
             false
@@ -84,7 +83,7 @@ Foam::aerosol::aerosolCloud::aerosolCloud
     ),
     reportsBreakages_
     (
-        dict_.subOrEmptyDict("report").getOrDefault<Switch>
+        optionalDict(dict_, "report").getOrDefault<Switch>
         (
             "breakages",
             false
@@ -94,7 +93,7 @@ Foam::aerosol::aerosolCloud::aerosolCloud
     (
         readPositive
         (
-            dict_.subOrEmptyDict("report"),
+            optionalDict(dict_, "report"),
             "interval",
             dimTime,
             sound.frequency() > 0
@@ -198,40 +197,54 @@ const Foam::dictionary& Foam::aerosol::aerosolCloud::requireKnownModels
     const dictionary& dict
 )
 {
-    const wordList& known = modelNames();
-
-    // Other entries are variables of the user
-    for (const entry& e : dict)
-    {
-        if (!e.isDict() && known.found(e.keyword()))
-        {
-            FatalIOErrorInFunction(dict)
-                << "'" << e.keyword() << "' in line " << e.startLineNumber()
-                << " must be a dictionary, such as " << e.keyword()
-                << " { ... }" << exit(FatalIOError);
-        }
-
-        if
-        (
-            e.isDict()
-         && e.keyword() != "FoamFile"
-         && !known.found(e.keyword())
-        )
-        {
-            FatalIOErrorInFunction(e.dict())
-                << "Unknown dictionary '" << e.keyword() << "' in "
-                << dict.name() << "; valid ones are " << known
-                << exit(FatalIOError);
-        }
-    }
+    requireDictionaries(dict, modelNames());
 
     requireOnly
     (
-        dict.subOrEmptyDict("report"),
+        optionalDict(dict, "report"),
         {"interval", "sizeBins", "contacts", "breakages"}
     );
 
     return dict;
+}
+
+
+Foam::autoPtr<Foam::aerosol::domain>
+Foam::aerosol::aerosolCloud::domainInMesh
+(
+    const dictionary& dict,
+    const fvMesh& mesh
+)
+{
+    autoPtr<domain> made(domain::New(dict));
+
+    const boundBox& box = made->bounds();
+    const chamber room(mesh);
+
+    if (!room.contains(box))
+    {
+        OStringStream where;
+
+        if (room.bounds().contains(box))
+        {
+            const chamber::encounter wall = room.first(box, Zero);
+
+            where << ". That is not of the shape of a box";
+            if (wall.time == 0)
+            {
+                where << ": a part of its boundary, at " << wall.place
+                    << ", lies in the domain";
+            }
+        }
+
+        FatalIOErrorInFunction(dict)
+            << "The domain of the particles, " << box.min() << " to "
+            << box.max() << " m, leaves the mesh, which extends from "
+            << room.bounds().min() << " to " << room.bounds().max() << " m"
+            << where.str().c_str() << exit(FatalIOError);
+    }
+
+    return made;
 }
 
 
@@ -334,7 +347,7 @@ void Foam::aerosol::aerosolCloud::makeParticles()
     N0PM25_ = initial.sizePM25;
     sizeBins_ = agglomerationTables::sizeBins
     (
-        dict_.subOrEmptyDict("report"),
+        optionalDict(dict_, "report"),
         particles_.d
     );
 }
@@ -393,25 +406,14 @@ void Foam::aerosol::aerosolCloud::requireNoneBefore() const
 
 void Foam::aerosol::aerosolCloud::prepareFrame(const dictionary& state)
 {
-    const boundBox& box = domain_->bounds();
-    const boundBox chamber(mesh_.points(), true);
     const scalar now = mesh_.time().value();
     const scalar start = state.getOrDefault<scalar>("began", now);
-
-    if (!chamber.contains(box))
-    {
-        FatalIOErrorInFunction(dict_.subDict("domain"))
-            << "The domain of the particles, " << box.min() << " to "
-            << box.max() << " m, leaves the mesh, which extends from "
-            << chamber.min() << " to " << chamber.max() << " m"
-            << exit(FatalIOError);
-    }
 
     frame_.reset
     (
         new movingFrame
         (
-            dict_.subOrEmptyDict("carried"), *domain_, chamber, start
+            optionalDict(dict_, "carried"), *domain_, chamber(mesh_), start
         )
     );
 
@@ -725,7 +727,7 @@ Foam::dictionary Foam::aerosol::aerosolCloud::state() const
     dict.add("sizeBins", sizeBins_);
     dict.add("domainWas", dict_.subDict("domain"));
     dict.add("particlesWere", dict_.subDict("particles"));
-    dict.add("carriedWas", dict_.subOrEmptyDict("carried"));
+    dict.add("carriedWas", optionalDict(dict_, "carried"));
     dict.add("began", frame_->start());
     dict.add("reached", reached_);
     dict.add("amplitude", amplitude_);
@@ -842,8 +844,7 @@ void Foam::aerosol::aerosolCloud::couple(gasReaction& reaction)
 
 void Foam::aerosol::aerosolCloud::begin()
 {
-    // The mesh of a -dry-run is not the one to go on with
-    if (isNew_ && !isA<simplifiedFvMesh>(mesh_))
+    if (isNew_)
     {
         // ParaView finds a cloud only if it is there from the first time on
         write();

@@ -5,8 +5,8 @@
 
 #include "aerosolClouds.H"
 #include "fvMesh.H"
-#include "IOdictionary.H"
-#include "Time.H"
+#include "propertiesFile.H"
+#include "runGuard.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -36,24 +36,19 @@ void Foam::aerosol::aerosolClouds::makeClouds
     acoustics::soundField& sound
 )
 {
-    IOobject io
-    (
-        "aerosolProperties",
-        mesh.time().constant(),
-        mesh,
-        IOobject::MUST_READ,
-        IOobject::NO_WRITE,
-        false
-    );
-
-    if (io.globalFilePath(IOdictionary::typeName).empty())
+    if (!hasProperties("aerosolProperties", mesh))
     {
         Info<< "No constant/aerosolProperties: sound without particles" << nl
             << endl;
         return;
     }
 
-    const IOdictionary common(io);
+    const IOdictionary common(readProperties("aerosolProperties", mesh));
+
+    const runGuard::activity what
+    (
+        "making the aerosol of constant/aerosolProperties"
+    );
 
     if (!common.found("clouds"))
     {

@@ -6,7 +6,7 @@
 #include "agglomerationTables.H"
 
 #include "Time.H"
-#include "checkedEntry.H"
+#include "checkedDictionary.H"
 #include "tableFolder.H"
 #include "unitConversion.H"
 
@@ -248,7 +248,7 @@ Foam::dictionary Foam::aerosol::agglomerationTables::sizeBins
     const scalars& d
 )
 {
-    const dictionary given(dict.subOrEmptyDict("sizeBins"));
+    const dictionary given(optionalDict(dict, "sizeBins"));
 
     requireOnly(given, {"min", "max", "n"});
 
@@ -257,13 +257,13 @@ Foam::dictionary Foam::aerosol::agglomerationTables::sizeBins
 
     const scalar min = readPositive(given, "min", dimLength, smallest);
     const scalar max = readPositive(given, "max", dimLength, 4*largest);
-    const label n = given.getOrDefault<label>("n", 32);
+    const label n = readInteger(given, "n", 32, 1, 100000);
 
-    if (max <= min || n < 1)
+    if (max <= min)
     {
         FatalIOErrorInFunction(dict.found("sizeBins") ? given : dict)
-            << "sizeBins from min " << min << " to max " << max << " in n "
-            << n << " bins; but max must be above min, and n at least 1"
+            << "sizeBins from min " << min << " to max " << max
+            << "; but max must be above min"
             << exit(FatalIOError);
     }
 

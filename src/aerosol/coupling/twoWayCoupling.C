@@ -5,7 +5,7 @@
 
 #include "twoWayCoupling.H"
 
-#include "checkedEntry.H"
+#include "checkedDictionary.H"
 #include "domain.H"
 #include "fvMesh.H"
 
@@ -22,7 +22,7 @@ Eigen::Array<bool, 3, 1> readWhole(const Foam::dictionary& dict)
 
     requireOnly(dict, {"type", "represents"});
 
-    const vector given = dict.get<vector>("represents");
+    const vector given = getVector(dict, "represents", dimless);
     Eigen::Array<bool, 3, 1> whole;
 
     for (direction k = 0; k < vector::nComponents; ++k)
@@ -109,6 +109,11 @@ bool Foam::aerosol::twoWayCoupling::wanted(const dictionary& dict)
             << "Unknown coupling type " << type << "; valid ones are none and"
             << " twoWay"
             << exit(FatalIOError);
+    }
+
+    if (type == "none")
+    {
+        requireOnly(dict, {"type"});
     }
 
     return type == "twoWay";

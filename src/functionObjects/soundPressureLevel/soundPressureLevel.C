@@ -6,9 +6,10 @@
 #include "soundPressureLevel.H"
 
 #include "addToRunTimeSelectionTable.H"
-#include "checkedEntry.H"
+#include "checkedDictionary.H"
 #include "soundLevel.H"
 #include "stateDictionary.H"
+#include "soundSources.H"
 #include "tableFolder.H"
 #include "untilPeriodic.H"
 #include "volFields.H"
@@ -34,7 +35,7 @@ bool Foam::functionObjects::soundPressureLevel::add()
 
     if (!p || !U || acoustics::untilPeriodic::rests(mesh_))
     {
-        // Sound that is a formula, or is replayed
+        // A sound that is a formula, or is replayed
         return false;
     }
 
@@ -54,6 +55,12 @@ bool Foam::functionObjects::soundPressureLevel::add()
         USquared_.reset(new acoustics::harmonicSum<scalar>(frequency_, 0));
         terms_.clear();
         reference_ = gAverage(p->primitiveField());
+
+        acoustics::soundSources(*p, *U).warnOfFrequency
+        (
+            frequency_,
+            "'frequency' of the function object " + name()
+        );
     }
 
     const scalar t = mesh_.time().value();
@@ -82,6 +89,39 @@ Foam::regIOobject* Foam::functionObjects::soundPressureLevel::own
      && object->note() == acoustics::cellFieldNote
       ? object
       : nullptr;
+}
+
+
+void Foam::functionObjects::soundPressureLevel::warnOfUnknown
+(
+    const dictionary& dict
+)
+{
+    const wordList own
+    ({
+        "frequency", "harmonics", "p", "U", "coefficients", "probeLocations"
+    });
+
+    // Those of any function object, in one version of OpenFOAM or another
+    const wordList common
+    ({
+        "type", "libs", "functionObjectLibs", "region", "subRegion", "enabled",
+        "errors", "log", "timeStart", "timeEnd", "triggerStart", "triggerEnd",
+        "controlMode", "nStepsToStartTimeChange", "executeControl",
+        "executeInterval", "writeControl", "writeInterval", "writeFrequency",
+        "outputControl", "outputInterval", "writeToFile", "writePrecision",
+        "updateHeader", "useNamePrefix", "useUserTime"
+    });
+
+    for (const word& key : dict.toc())
+    {
+        if (!own.found(key) && !common.found(key))
+        {
+            IOWarningInFunction(dict)
+                << "Unknown entry '" << visible(key).c_str() << "' in "
+                << dict.name() << "; valid entries are " << own << endl;
+        }
+    }
 }
 
 
@@ -436,6 +476,7 @@ Foam::functionObjects::soundPressureLevel::soundPressureLevel
     frequency_(0),
     nHarmonics_(0),
     writeCoefficients_(false),
+    warned_(false),
     reference_(0)
 {
     read(dict);
@@ -450,15 +491,9 @@ bool Foam::functionObjects::soundPressureLevel::read(const dictionary& dict)
     writeFile::read(dict);
 
     const scalar frequency = readPositive(dict, "frequency", dimless/dimTime);
-    const label nHarmonics = dict.getOrDefault<label>("harmonics", 3);
+    const label nHarmonics = readInteger(dict, "harmonics", 3, 1, 100);
 
-    if (nHarmonics < 1)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'harmonics' of " << dict.name() << " is " << nHarmonics
-            << ", but it must be 1, the fundamental alone, or more"
-            << exit(FatalIOError);
-    }
+    warnOfUnknown(dict);
 
     pName_ = dict.getOrDefault<word>("p", "p");
     UName_ = dict.getOrDefault<word>("U", "U");
@@ -504,6 +539,20 @@ bool Foam::functionObjects::soundPressureLevel::execute()
     if (add())
     {
         calculate();
+    }
+
+    if (!p_ && !warned_)
+    {
+        WarningInFunction
+            << "soundPressureLevel " << name() << " has nothing to do: there"
+            << " is no pressure '" << pName_ << "' or no velocity '" << UName_
+            << "'. Of fields there are "
+            << mesh_.sortedNames(volScalarField::typeName) << " and "
+            << mesh_.sortedNames(volVectorField::typeName)
+            << "; a sound that is a formula, or is replayed, has no pressure"
+            << endl;
+
+        warned_ = true;
     }
 
     return true;

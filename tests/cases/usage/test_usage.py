@@ -17,10 +17,7 @@ def short(box):
     "model", ["drag", "gravity", "wake", "contact", "aggregate"]
 )
 def test_every_law_can_be_switched_off(box, model):
-    entries = "type none;"
-    if model == "drag":
-        entries += " slipCorrection none;"
-    box.model(model, entries)
+    box.model(model, "type none;")
     assert "\nEnd\n" in short(box).run(SOLVER)
 
 

@@ -5,6 +5,10 @@
 
 #include "analyticSound.H"
 
+#include "airProperties.H"
+#include "checkedDictionary.H"
+#include "vectorEntry.H"
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::acoustics::analyticSound::analyticSound
@@ -14,8 +18,33 @@ Foam::acoustics::analyticSound::analyticSound
 )
 :
     soundField(frequency),
-    gas_(gasProperties::read(dict.subOrEmptyDict("gas")))
-{}
+    gas_(gasProperties::read(optionalDict(dict, "gas")))
+{
+    Info<< "    gas: " << gas_ << endl;
+}
+
+
+// * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
+
+Eigen::Vector3d Foam::acoustics::analyticSound::readFlow
+(
+    const dictionary& dict
+) const
+{
+    const vector flow =
+        Foam::readVector(dict, "velocity", dimVelocity, vector::zero);
+
+    // Componentwise: the square of a huge number is none
+    if (cmptMax(cmptMag(flow)) > gas_.c)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'velocity' of " << dict.name() << " is " << flow
+            << " m/s, but the gas must not flow faster than sound, at "
+            << gas_.c << " m/s" << exit(FatalIOError);
+    }
+
+    return toEigen(flow);
+}
 
 
 // ************************************************************************* //

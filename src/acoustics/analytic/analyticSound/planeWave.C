@@ -18,7 +18,7 @@ Foam::acoustics::planeWave::planeWave(const dictionary& dict)
     direction_(toEigen(readDirection(dict, "direction", vector(1, 0, 0)))),
     origin_(readVector(dict, "origin", dimLength)),
     phase_(dict.found("phase") ? readFinite(dict, "phase", dimless) : 0),
-    mean_(readVector(dict, "velocity", dimVelocity)),
+    mean_(readFlow(dict)),
     omega_(constant::mathematical::twoPi*frequency()),
     k_(omega_/gas().c)
 {

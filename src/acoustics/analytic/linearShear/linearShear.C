@@ -33,7 +33,7 @@ Foam::acoustics::linearShear::linearShear(const dictionary& dict)
         toEigen(readDirection(dict, "gradientDirection", vector(0, 1, 0)))
     ),
     origin_(readVector(dict, "origin", dimLength)),
-    velocity_(readVector(dict, "velocity", dimVelocity)),
+    velocity_(readFlow(dict)),
     velocityAmplitude_(0)
 {
     requireOnly

@@ -7,7 +7,6 @@
 
 #include "addToRunTimeSelectionTable.H"
 #include "checkedEntry.H"
-#include "vectorEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -26,7 +25,7 @@ namespace acoustics
 Foam::acoustics::quiescent::quiescent(const dictionary& dict)
 :
     analyticSound(0, dict),
-    velocity_(readVector(dict, "velocity", dimVelocity))
+    velocity_(readFlow(dict))
 {
     requireOnly(dict, {"type", "velocity", "gas"});
 }

@@ -6,7 +6,7 @@
 #include "acousticPistonFvPatchVectorField.H"
 
 #include "addToRunTimeSelectionTable.H"
-#include "checkedEntry.H"
+#include "checkedDictionary.H"
 #include "driveFactor.H"
 #include "volFields.H"
 
@@ -42,13 +42,19 @@ Foam::acoustics::oscillation readSpeed
             << exit(Foam::FatalIOError);
     }
 
-    return Foam::acoustics::oscillation
+    const Foam::word amplitude
     (
-        dict,
-        displacement ? "displacementAmplitude" : "velocityAmplitude",
-        now,
-        displacement
+        displacement ? "displacementAmplitude" : "velocityAmplitude"
     );
+
+    Foam::wordList valid
+    ({
+        "type", "patchType", "value", "libs", "useImplicit", "direction"
+    });
+    valid.append(Foam::acoustics::oscillation::entries(amplitude));
+    Foam::requireOnly(dict, valid);
+
+    return Foam::acoustics::oscillation(dict, amplitude, now, displacement);
 }
 
 } // End anonymous namespace
@@ -91,6 +97,11 @@ acousticPistonFvPatchVectorField
       ? vectorField("value", dict, p.size())
       : vectorField(p.size(), Zero)
     );
+
+    if (dict.found("value"))
+    {
+        requireAllRead(dict, "value");
+    }
 }
 
 

@@ -6,7 +6,7 @@
 #include "acousticPressureFvPatchScalarField.H"
 
 #include "addToRunTimeSelectionTable.H"
-#include "checkedEntry.H"
+#include "checkedDictionary.H"
 #include "driveFactor.H"
 #include "volFields.H"
 
@@ -52,12 +52,24 @@ acousticPressureFvPatchScalarField
     ),
     ambient_(readPositive(dict, "ambient", dimPressure))
 {
+    wordList valid
+    ({
+        "type", "patchType", "value", "libs", "useImplicit", "ambient"
+    });
+    valid.append(oscillation::entries("pressureAmplitude"));
+    requireOnly(dict, valid);
+
     fvPatchScalarField::operator=
     (
         dict.found("value")
       ? scalarField("value", dict, p.size())
       : scalarField(p.size(), ambient_)
     );
+
+    if (dict.found("value"))
+    {
+        requireAllRead(dict, "value");
+    }
 }
 
 

@@ -5,11 +5,34 @@
 
 #include "oscillation.H"
 
-#include "checkedEntry.H"
+#include "checkedDictionary.H"
 #include "mathematicalConstants.H"
+#include "wordList.H"
 
 #include <cmath>
 #include <limits>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- A function of time, and nothing after it
+Foam::autoPtr<Foam::Function1<Foam::scalar>> readFunction
+(
+    const Foam::dictionary& dict,
+    const Foam::word& key
+)
+{
+    auto function = Foam::Function1<Foam::scalar>::New(key, dict);
+
+    Foam::requireAllRead(dict, key);
+
+    return function;
+}
+
+} // End anonymous namespace
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -54,8 +77,8 @@ Foam::acoustics::oscillation::oscillation
     const bool differentiate
 )
 :
-    amplitude_(Function1<scalar>::New(amplitudeName, dict)),
-    frequency_(Function1<scalar>::New("frequency", dict)),
+    amplitude_(readFunction(dict, amplitudeName)),
+    frequency_(readFunction(dict, "frequency")),
     differentiate_(differentiate),
     phase_(dict.found("phase") ? readFinite(dict, "phase", dimless) : 0),
     rampPeriods_(readNonNegative(dict, "rampPeriods", dimless, 0)),
@@ -63,15 +86,21 @@ Foam::acoustics::oscillation::oscillation
     (
         dict.found("startTime") ? readFinite(dict, "startTime", dimTime) : 0
     ),
-    periods_(dict.getOrDefault<scalar>("periods", 0)),
-    countedTime_(dict.getOrDefault<scalar>("countedTime", startTime_))
+    periods_(dict.found("periods") ? readFinite(dict, "periods", dimless) : 0),
+    countedTime_
+    (
+        dict.found("countedTime")
+      ? readFinite(dict, "countedTime", dimTime)
+      : startTime_
+    )
 {
-    const scalar frequency = frequency_->value(max(now, startTime_));
+    const scalar f = frequency(now);
 
-    if (frequency <= 0)
+    // Not true for a number that is none
+    if (!(f > 0 && f < GREAT))
     {
         FatalIOErrorInFunction(dict)
-            << "The frequency of the source is " << frequency
+            << "The frequency of the source is " << f
             << " Hz, but it must be positive"
             << exit(FatalIOError);
     }
@@ -91,7 +120,37 @@ Foam::acoustics::oscillation::oscillation(const oscillation& other)
 {}
 
 
+// * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
+
+Foam::wordList Foam::acoustics::oscillation::entries(const word& amplitudeName)
+{
+    return
+    {
+        amplitudeName, amplitudeName + "Coeffs", "frequency",
+        "frequencyCoeffs", "phase", "rampPeriods", "startTime", "periods",
+        "countedTime"
+    };
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::acoustics::oscillation::frequency(const scalar t) const
+{
+    return frequency_->value(max(t, startTime_));
+}
+
+
+Foam::scalar Foam::acoustics::oscillation::amplitude(const scalar t) const
+{
+    const scalar amplitude = amplitude_->value(max(t, startTime_));
+
+    return
+        differentiate_
+      ? constant::mathematical::twoPi*frequency(t)*amplitude
+      : amplitude;
+}
+
 
 Foam::scalar Foam::acoustics::oscillation::value(const scalar t)
 {
@@ -110,16 +169,10 @@ Foam::scalar Foam::acoustics::oscillation::value(const scalar t)
       ? 0.5*(1 - std::cos(pi*periods_/rampPeriods_))
       : 1;
 
-    scalar amplitude = amplitude_->value(t);
-    if (differentiate_)
-    {
-        amplitude *= twoPi*frequency_->value(t);
-    }
-
     // Whole periods are taken off before they cost digits
     const scalar angle = twoPi*(periods_ - std::floor(periods_)) + phase_;
 
-    return ramp*amplitude*std::sin(angle);
+    return ramp*amplitude(t)*std::sin(angle);
 }
 
 

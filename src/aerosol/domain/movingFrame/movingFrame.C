@@ -14,7 +14,7 @@ Foam::aerosol::movingFrame::movingFrame
 (
     const dictionary& dict,
     const domain& region,
-    const boundBox& chamber,
+    const chamber& room,
     const scalar start
 )
 :
@@ -32,26 +32,29 @@ Foam::aerosol::movingFrame::movingFrame
 
     const vector V = readVector(dict, "velocity", dimVelocity, vector::zero);
 
-    scalar longest = GREAT;
-
-    for (direction k = 0; k < vector::nComponents; ++k)
-    {
-        domainVelocity_(k) = V[k];
-
-        // Compared before divided: no division by nearly nothing
-        const scalar room =
-            V[k] > 0
-          ? chamber.max()[k] - box.max()[k]
-          : box.min()[k] - chamber.min()[k];
-
-        if (mag(V[k])*longest > room)
-        {
-            longest = std::max(room, 0.0)/mag(V[k]);
-        }
-    }
+    domainVelocity_ << V.x(), V.y(), V.z();
 
     if (carried())
     {
+        scalar longest = room.first(box, V).time;
+
+        // Out of a mesh of one layer there is no wall
+        for (direction k = 0; k < vector::nComponents; ++k)
+        {
+            const boundBox& bounds = room.bounds();
+
+            // Compared before divided: no division by nearly nothing
+            const scalar way =
+                V[k] > 0
+              ? bounds.max()[k] - box.max()[k]
+              : box.min()[k] - bounds.min()[k];
+
+            if (mag(V[k])*longest > way)
+            {
+                longest = std::max(way, 0.0)/mag(V[k]);
+            }
+        }
+
         end_ = start_ + longest;
 
         path_.add(box.min() + V*longest);

@@ -6,7 +6,7 @@
 #include "periodicBox.H"
 #include "ITstream.H"
 #include "addToRunTimeSelectionTable.H"
-#include "checkedEntry.H"
+#include "checkedDictionary.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -85,10 +85,19 @@ Foam::aerosol::periodicBox::periodicBox(const dictionary& dict)
 {
     requireOnly(dict, {"type", "centre", "length", "sound"});
 
-    const vector centre = dict.get<vector>("centre");
+    const vector centre = getVector(dict, "centre", dimLength);
     const vector length = readLength(dict);
 
     bounds_ = boundBox(centre - 0.5*length, centre + 0.5*length);
+
+    // Also if it is too small for the digits of the centre
+    if (!(cmptMin(bounds_.span()) > 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'length' of " << dict.name() << " is " << length
+            << " m, which is lost in the digits of the 'centre' " << centre
+            << exit(FatalIOError);
+    }
 }
 
 

@@ -5,7 +5,7 @@
 
 #include "uniformGravity.H"
 #include "addToRunTimeSelectionTable.H"
-#include "checkedEntry.H"
+#include "checkedDictionary.H"
 #include "vector.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -26,7 +26,7 @@ Foam::aerosol::uniformGravity::uniformGravity(const dictionary& dict)
 {
     requireOnly(dict, {"type", "value"});
 
-    const vector g = dict.get<vector>("value");
+    const vector g = getVector(dict, "value", dimAcceleration);
     g_ << g.x(), g.y(), g.z();
 }
 

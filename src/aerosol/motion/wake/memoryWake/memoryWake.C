@@ -137,6 +137,14 @@ void Foam::aerosol::memoryWake::setSound
 {
     nu_ = gas.nu();
 
+    if (omega_ > 0 && omega > 0 && mag(omega_ - omega) > 1e-6*omega)
+    {
+        IOWarningInFunction(dict)
+            << "Entry 'frequency' of " << dict.name() << " is "
+            << omega_/constant::mathematical::twoPi << " Hz, but the sound has "
+            << omega/constant::mathematical::twoPi << " Hz" << endl;
+    }
+
     if (omega_ <= 0)
     {
         omega_ = omega;

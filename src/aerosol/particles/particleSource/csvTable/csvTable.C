@@ -5,8 +5,10 @@
 
 #include "csvTable.H"
 
-#include "OSspecific.H"
+#include "checkedDictionary.H"
 #include "error.H"
+#include "OSspecific.H"
+#include "runGuard.H"
 
 #include <algorithm>
 #include <cctype>
@@ -55,6 +57,17 @@ std::vector<std::string> cells(const std::string& line)
 }
 
 
+//- The text after the mark that some programs put before UTF-8
+std::string withoutMark(const std::string& text)
+{
+    const std::string mark("\xef\xbb\xbf");
+
+    return text.compare(0, mark.size(), mark) == 0
+      ? text.substr(mark.size())
+      : text;
+}
+
+
 std::string list(const std::vector<std::string>& headers)
 {
     std::string text;
@@ -91,11 +104,18 @@ Foam::aerosol::csvTable::csvTable
 
     std::ifstream stream(file_);
 
-    if (!stream)
+    // A folder can be opened, too
+    if (!stream || !isFile(file_))
     {
         FatalIOErrorInFunction(dict)
             << "Cannot read " << file_ << ", which entry '" << key << "' of "
             << dict.name() << " names"
+            <<
+            (
+                exists(file_, false, false)
+              ? ": it is no file, or a broken link"
+              : ""
+            )
             << exit(FatalIOError);
     }
 
@@ -106,12 +126,30 @@ Foam::aerosol::csvTable::csvTable
             << exit(FatalIOError);
     };
 
+    // Numbers too large for a double are refused below
+    const runGuard::reading numbers;
+
     std::size_t columns = 0;
     std::string text;
 
     for (label line = 1; std::getline(stream, text); ++line)
     {
+        if (line == 1)
+        {
+            text = withoutMark(text);
+        }
+
         text = withoutBlanks(text.substr(0, text.find('#')));
+
+        if (text.find('\0') != std::string::npos)
+        {
+            refuse
+            (
+                line,
+                "This is no plain text (it may be UTF-16): save the table as"
+                " CSV in UTF-8"
+            );
+        }
 
         if (text.empty())
         {
@@ -128,7 +166,7 @@ Foam::aerosol::csvTable::csvTable
                 (
                     line,
                     "The first line names the columns and must be "
-                  + list(headers) + ", not '" + text + "'"
+                  + list(headers) + ", not '" + visible(text) + "'"
                 );
             }
 
@@ -150,7 +188,6 @@ Foam::aerosol::csvTable::csvTable
 
         for (std::size_t i = 0; i < columns; ++i)
         {
-            // Reading "nan" would raise a floating-point exception
             if
             (
                 parts[i].find_first_not_of("+-.0123456789eE")
@@ -158,7 +195,11 @@ Foam::aerosol::csvTable::csvTable
              || !readScalar(parts[i], row[i])
             )
             {
-                refuse(line, "'" + parts[i] + "' is not a finite number");
+                refuse
+                (
+                    line,
+                    "'" + visible(parts[i]) + "' is not a finite number"
+                );
             }
         }
 

@@ -5,12 +5,14 @@
 
 #include "distributionSource.H"
 #include "addToRunTimeSelectionTable.H"
+#include "bricks.H"
 #include "checkedEntry.H"
 #include "domain.H"
 #include "searchGrid.H"
 
 #include <algorithm>
 #include <limits>
+#include <unistd.h>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -22,6 +24,17 @@ namespace aerosol
     addToRunTimeSelectionTable(particleSource, distributionSource, dictionary);
 }
 }
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Measured: of the whole run at its largest, per particle
+constexpr double bytesPerParticle = 1000;
+
+} // End anonymous namespace
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -55,6 +68,22 @@ int Foam::aerosol::distributionSource::count(const domain& region) const
             << region.volume() << " m3 is " << n
             << ", but it must be a whole number from 1 to "
             << std::numeric_limits<int>::max() << "; change '"
+            << (byConcentration ? "numberConcentration" : "count")
+            << "' of " << dict_.name() << " or the size of the domain"
+            << exit(FatalIOError);
+    }
+
+    // At the start every rank has all particles
+    const scalar needed = n*bytesPerParticle*bricks::nRanks();
+    const scalar memory =
+        scalar(sysconf(_SC_PHYS_PAGES))*scalar(sysconf(_SC_PAGESIZE));
+
+    if (needed > memory)
+    {
+        FatalIOErrorInFunction(dict_)
+            << label(n) << " particles need about " << 1e-9*needed
+            << " GB of memory, but this computer has " << 1e-9*memory
+            << "; change '"
             << (byConcentration ? "numberConcentration" : "count")
             << "' of " << dict_.name() << " or the size of the domain"
             << exit(FatalIOError);
@@ -127,7 +156,12 @@ Foam::aerosol::distributionSource::distributionSource(const dictionary& dict)
     size_(sizeDistribution::New(dict.subDict("size"))),
     random_(readSeed(dict))
 {
-    requireKnown(dict);
+    requireOnly
+    (
+        dict,
+        {"density", "source", "initialVelocity", "size",
+         "numberConcentration", "count", "seed"}
+    );
 }
 
 

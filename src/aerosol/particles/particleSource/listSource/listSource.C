@@ -5,7 +5,7 @@
 
 #include "listSource.H"
 #include "addToRunTimeSelectionTable.H"
-#include "checkedEntry.H"
+#include "checkedDictionary.H"
 #include "csvTable.H"
 #include "domain.H"
 #include "searchGrid.H"
@@ -96,7 +96,7 @@ void Foam::aerosol::listSource::readEntries()
     forAll(entries, i)
     {
         const dictionary& entry = entries[i];
-        const vector x = entry.get<vector>("position");
+        const vector x = getVector(entry, "position", dimLength);
 
         requireOnly(entry, {"position", "diameter", "velocity", "primaries"});
 
@@ -107,7 +107,7 @@ void Foam::aerosol::listSource::readEntries()
 
         if (entry.found("velocity"))
         {
-            const vector v = entry.get<vector>("velocity");
+            const vector v = getVector(entry, "velocity", dimVelocity);
 
             velocities_.emplace_back(v.x(), v.y(), v.z());
         }
@@ -201,7 +201,10 @@ Foam::aerosol::listSource::listSource(const dictionary& dict)
 :
     particleSource(dict)
 {
-    requireKnown(dict);
+    requireOnly
+    (
+        dict, {"density", "source", "initialVelocity", "particles", "file"}
+    );
 
     if (dict.found("particles") == dict.found("file"))
     {

@@ -67,19 +67,6 @@ Foam::aerosol::particleSource::particleSource(const dictionary& dict)
 }
 
 
-// * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
-
-void Foam::aerosol::particleSource::requireKnown(const dictionary& dict)
-{
-    requireOnly
-    (
-        dict,
-        {"density", "source", "initialVelocity", "size",
-         "numberConcentration", "count", "seed", "particles", "file"}
-    );
-}
-
-
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
 
 Foam::autoPtr<Foam::aerosol::particleSource>

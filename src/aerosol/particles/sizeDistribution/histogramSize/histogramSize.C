@@ -7,6 +7,7 @@
 #include "FixedList.H"
 #include "List.H"
 #include "addToRunTimeSelectionTable.H"
+#include "checkedEntry.H"
 #include "csvTable.H"
 
 #include <algorithm>
@@ -27,7 +28,7 @@ namespace aerosol
 
 Foam::aerosol::histogramSize::histogramSize(const dictionary& dict)
 {
-    requireKnown(dict);
+    requireOnly(dict, {"type", "bins", "file"});
 
     if (dict.found("bins") == dict.found("file"))
     {
@@ -53,7 +54,9 @@ Foam::aerosol::histogramSize::histogramSize(const dictionary& dict)
         const char* valid =
             !(lower > 0) ? "its lower diameter must be positive"
           : !(lower < upper) ? "its upper diameter must exceed its lower one"
+          : !(upper < 1) ? "no particle is a metre large"
           : !(count >= 0) ? "its count must be zero or more"
+          : !(count < GREAT) ? "its count must be a finite number"
           : lower < end ? "intervals must rise and not overlap"
           : nullptr;
 

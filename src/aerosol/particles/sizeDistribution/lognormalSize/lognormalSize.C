@@ -60,7 +60,7 @@ Foam::aerosol::lognormalSize::lognormalSize(const dictionary& dict)
     aboveMin_(normalFraction(-z(min_))),
     aboveMax_(normalFraction(-z(max_)))
 {
-    requireKnown(dict);
+    requireOnly(dict, {"type", "median", "GSD", "min", "max"});
 
     if (min_ >= max_)
     {

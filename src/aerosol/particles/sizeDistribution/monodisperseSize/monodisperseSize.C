@@ -25,7 +25,7 @@ Foam::aerosol::monodisperseSize::monodisperseSize(const dictionary& dict)
 :
     diameter_(readPositive(dict, "diameter", dimLength))
 {
-    requireKnown(dict);
+    requireOnly(dict, {"type", "diameter"});
 }
 
 

@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sizeDistribution.H"
-#include "checkedEntry.H"
 #include "selectModel.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -16,19 +15,6 @@ namespace aerosol
     defineTypeNameAndDebug(sizeDistribution, 0);
     defineRunTimeSelectionTable(sizeDistribution, dictionary);
 }
-}
-
-
-// * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
-
-void Foam::aerosol::sizeDistribution::requireKnown(const dictionary& dict)
-{
-    requireOnly
-    (
-        dict,
-        {"type", "diameter", "median", "GSD", "min", "max", "file",
-         "bins"}
-    );
 }
 
 

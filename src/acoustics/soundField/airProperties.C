@@ -1,0 +1,122 @@
+/*---------------------------------------------------------------------------*\
+    acousticDEM: acoustic agglomeration of aerosols
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "airProperties.H"
+
+#include "error.H"
+
+#include <cmath>
+#include <sstream>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Sutherland's temperature of air [K]
+constexpr double Sutherland = 110.4;
+
+//- What a gas can have, and from which temperature on nobody asks [K], [Pa]
+constexpr double coldest = 100;
+constexpr double cold = 200;
+constexpr double hottest = 5000;
+constexpr double thinnest = 500;
+constexpr double densest = 1e8;
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::acoustics::gasProperties Foam::acoustics::airAt
+(
+    const scalar T,
+    const scalar p
+)
+{
+    const gasProperties reference = gasProperties::air();
+    const scalar ratio = T/reference.T;
+
+    gasProperties gas;
+
+    gas.T = T;
+    gas.rho = reference.rho*(p/atmosphere)/ratio;
+    gas.mu =
+        reference.mu*ratio*std::sqrt(ratio)
+       *(reference.T + Sutherland)/(T + Sutherland);
+    gas.c = reference.c*std::sqrt(ratio);
+    gas.meanFreePath = airMeanFreePath(gas);
+
+    return gas;
+}
+
+
+Foam::scalar Foam::acoustics::airMeanFreePath
+(
+    const gasProperties& gas
+)
+{
+    const gasProperties reference = gasProperties::air();
+
+    return
+        reference.meanFreePath*(gas.mu/reference.mu)*(reference.rho/gas.rho)
+       *std::sqrt(reference.T/gas.T);
+}
+
+
+void Foam::acoustics::requirePlausible
+(
+    const scalar p,
+    const scalar T,
+    const string& file,
+    const label line
+)
+{
+    std::ostringstream why;
+
+    // Not true for numbers that are none
+    if (!(T >= coldest && T <= hottest))
+    {
+        why << "The temperature of the gas is " << T << " K, but it must be"
+            << " absolute, from " << coldest << " to " << hottest
+            << " K: is it in degrees Celsius? Add 273.15";
+    }
+    else if (!(p >= thinnest && p <= densest))
+    {
+        why << "The pressure of the gas is " << p << " Pa, but it must be"
+            << " absolute, from " << thinnest << " to " << densest
+            << " Pa: is it a gauge pressure (add 101325), or in bar?";
+    }
+
+    if (!why.str().empty())
+    {
+        FatalIOError(FUNCTION_NAME, __FILE__, __LINE__, file, line)
+            << why.str().c_str() << exit(FatalIOError);
+    }
+
+    if (T < cold)
+    {
+        WarningInFunction
+            << "The temperature of the gas is " << T << " K in " << file.c_str()
+            << ": is it in degrees Celsius? Add 273.15 then" << endl;
+    }
+}
+
+
+Foam::Ostream& Foam::acoustics::operator<<
+(
+    Ostream& os,
+    const gasProperties& gas
+)
+{
+    os  << "rho " << gas.rho << " kg/m3, mu " << gas.mu << " Pa s, T "
+        << gas.T << " K, c " << gas.c << " m/s, mean free path "
+        << gas.meanFreePath << " m";
+
+    return os;
+}
+
+
+// ************************************************************************* //
