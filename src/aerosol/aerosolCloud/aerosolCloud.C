@@ -11,6 +11,7 @@
 #include "particleSource.H"
 #include "Time.H"
 #include "vectorEntry.H"
+#include "writtenFiles.H"
 
 #include <algorithm>
 #include <iomanip>
@@ -846,6 +847,9 @@ void Foam::aerosol::aerosolCloud::begin()
 {
     if (isNew_)
     {
+        requireFolder(time().timePath()/"lagrangian"/name());
+        requireFolder(time().timePath()/"uniform"/"lagrangian"/name());
+
         // ParaView finds a cloud only if it is there from the first time on
         write();
     }

@@ -13,6 +13,7 @@
 #include "tableFolder.H"
 #include "untilPeriodic.H"
 #include "volFields.H"
+#include "writtenFiles.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -521,7 +522,7 @@ bool Foam::functionObjects::soundPressureLevel::read(const dictionary& dict)
 
     if (Pstream::master() && writeToFile())
     {
-        tableFolder::require(baseFileDir());
+        requireFolder(baseFileDir());
     }
 
     // The state at the start belongs to the first period
@@ -566,6 +567,7 @@ bool Foam::functionObjects::soundPressureLevel::write()
         if (auto* field = own(name))
         {
             field->write();
+            requireWritten(mesh_.time().timePath()/name);
         }
     }
 
