@@ -22,7 +22,7 @@ const Foam::word& Foam::restartableTime::requireSameLatest
     scalar latest = -GREAT;
     word name;
 
-    for (const instant& time : fileHandler().findTimes(args.path()))
+    for (const instant& time : Time::findTimes(args.path()))
     {
         if (time.name() != "constant" && time.value() > latest)
         {
@@ -38,18 +38,17 @@ const Foam::word& Foam::restartableTime::requireSameLatest
         return controlDict;
     }
 
-    // A rank that has it says whether it was being written
+    // A rank that has it says whether it was being written. All ranks ask: some
+    // file handlers let the master look.
     const fileName folder = args.path()/name;
+    const bool marked = fileHandler().isFile(folder/"uniform"/"incomplete");
+    const label files =
+        fileHandler().readDir(folder, fileName::FILE).size()
+      + fileHandler().readDir(folder/"uniform", fileName::FILE).size();
+
     const bool torn = returnReduce
     (
-        latest == last
-     && (
-            isFile(folder/"uniform"/"incomplete")
-         || (
-                readDir(folder, fileName::FILE).empty()
-             && readDir(folder/"uniform", fileName::FILE).empty()
-            )
-        ),
+        latest == last && (marked || !files),
         orOp<bool>()
     );
 
@@ -81,8 +80,8 @@ void Foam::restartableTime::refuse(const scalar time, const fileName& folders)
 {
     FatalErrorInFunction
         << "The run was interrupted while it wrote the time " << time
-        << ": its files are not whole. To go on from the time before it, remove "
-        << folders.c_str()
+        << ": its files are not whole. To go on from the time before it,"
+        << " remove " << folders.c_str()
         << exit(FatalError);
 }
 

@@ -437,7 +437,7 @@ void Foam::aerosol::aerosolCloud::prepareFrame(const dictionary& state)
 
     if (domain_->representative())
     {
-        sound_.represent(box);
+        sound_.represent(domain_->bounds());
 
         // All go with the mean flow
         if (const auto mean = sound_.meanFlow())
@@ -802,7 +802,9 @@ void Foam::aerosol::aerosolCloud::couple(gasReaction& reaction)
     // Particles act where they are, and feel the gas at the centre
     const scalar longest = 0.05*sound_.gas().c/max(sound_.frequency(), SMALL);
 
-    if (domain_->representative() && cmptMax(domain_->bounds().span()) > longest)
+    const scalar edge = cmptMax(domain_->bounds().span());
+
+    if (domain_->representative() && edge > longest)
     {
         FatalIOErrorInFunction(dict_.subDict("domain"))
             << "A domain that acts on the gas, and is longer than "
