@@ -181,9 +181,9 @@ TEST(linearShear, shears)
         1e-10
     );
 
-    // Its largest speed is that in the region
+    // Its largest speed is that in the region, less the uniform velocity
     sound.prepare(boundBox(point(-1, 0.499, -1), point(1, 0.503, 1)));
-    EXPECT_NEAR(sound.velocityAmplitude(), std::sqrt(10.0), 1e-9);
+    EXPECT_NEAR(sound.velocityAmplitude(), 3, 1e-9);
 }
 
 

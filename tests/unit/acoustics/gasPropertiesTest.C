@@ -110,13 +110,16 @@ TEST(gasProperties, ofATemperatureAreThoseOfTables)
             readFrom(("T " + std::to_string(row.T) + ";").c_str());
 
         EXPECT_NEAR(gas.rho, row.rho, 0.015*row.rho) << row.T;
-        EXPECT_NEAR(gas.mu, row.mu, 0.015*row.mu) << row.T;
+        // Sutherland's law is within 2 % of measurements up to 1900 K (White,
+        // Viscous Fluid Flow)
+        EXPECT_NEAR(gas.mu, row.mu, 0.02*row.mu) << row.T;
         EXPECT_NEAR(gas.c, row.c, 0.015*row.c) << row.T;
         EXPECT_NEAR
         (
             gas.meanFreePath,
             gasProperties::kineticMeanFreePath(gas.mu, gas.rho, row.T, M),
-            0.01*gas.meanFreePath
+            // The usual 66 nm at 20 C are 1.6 % more than those of kinetics
+            0.02*gas.meanFreePath
         );
     }
 }

@@ -35,13 +35,12 @@ bool sameWhenReread(const std::string& text)
 
     Foam::OStringStream os;
     os.precision(17);
-    os << now;
+    now.write(os, false);
 
     Foam::IStringStream again(os.str());
     const Foam::dictionary then(again);
 
-    // The dictionary is written with its braces
-    return Foam::sameContents(then.first()->dict(), now);
+    return Foam::sameContents(then, now);
 }
 
 } // End anonymous namespace

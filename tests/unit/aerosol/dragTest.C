@@ -206,7 +206,7 @@ TEST(drag, hasTheFactorsOfItsLaws)
 TEST(drag, noneIsNothing)
 {
     particleArrays p = spheres({1e-6, 1e-4}, 1000);
-    const auto none = make("none");
+    const auto none = drag::New(parse("type none;"));
 
     EXPECT_TRUE((none->StokesRate(p, gasProperties::air()) == 0).all());
     EXPECT_TRUE(none->linear());

@@ -418,7 +418,8 @@ TEST(wakesOfSound, letAPairFallAsInOseensWake)
     const auto fallen = [](const std::string& wake, const std::string& stepping)
     {
         settings s;
-        s.wake = "type " + wake + "; range 60;";
+        s.wake =
+            "type " + wake + (wake == "none" ? ";" : "; range 60;");
         s.stepping = stepping;
         s.gravity = "type uniform; value (0 0 -9.81);";
 

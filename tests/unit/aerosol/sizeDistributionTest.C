@@ -370,7 +370,7 @@ TEST(histogram, quantilesAreExact)
     const auto size = make
     (
         "type histogram; bins ((1e-6 2e-6 1) (2e-6 8e-6 2) (8e-6 9e-6 0)"
-        " (1e-5 4e-5 1) (1 2 0));"
+        " (1e-5 4e-5 1) (5e-5 9e-5 0));"
     );
 
     EXPECT_DOUBLE_EQ(size->min(), 1e-6);
