@@ -138,7 +138,7 @@ void wakes
     const particleArrays p = aerosolOf(n);
     const std::vector<particlePair> pairs = neighbours(p, nNeighbours);
     const equationOfMotion motion = laws(type, "Stokes");
-    const equationOfMotion::sources sources{p.x, p.v, p.d, {}, p.v};
+    const equationOfMotion::sources sources{p.x, p.v, p.d, p.range, p.v};
     vectors w;
 
     for (auto _ : state)

@@ -13,6 +13,7 @@
 #include "vectorEntry.H"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -191,13 +192,11 @@ void Foam::aerosol::suitability::reportWakes
     std::ostringstream os;
     os  << "Wakes act up to " << 1e6*range(0) << " um (smallest), "
         << 1e6*range(n/2) << " um (median), " << 1e6*range(n - 1)
-        << " um (largest range);\n    "
-        << 4.0/3*constant::mathematical::pi*range.cube().sum()/domain_.volume()
-        << " of them within reach of each particle; ";
+        << " um (largest range), ";
 
     if (model.tolerance() > 0)
     {
-        os  << "beyond, each is below the "
+        os  << "where each is below the "
             << (model.needsTolerance() ? "default " : "") << "tolerance, "
             << model.tolerance() << " m/s"
             << (model.needsTolerance() || model.ends()
@@ -206,6 +205,26 @@ void Foam::aerosol::suitability::reportWakes
     else
     {
         os  << "a fixed number of diameters";
+    }
+
+    os  << ";\n    "
+        << 4.0/3*constant::mathematical::pi*range.cube().sum()/domain_.volume()
+        << " of them within reach of each particle; they fade out from "
+        << 0.01*std::round(100*wake::fadeBegin) << " of the range on";
+
+    Eigen::Index largest;
+    particles.mobility.maxCoeff(&largest);
+
+    // Nothing is known of the slip without drag, or without the level
+    if
+    (
+        particles.rate(largest) > 0
+     && (sound_.frequency() <= 0 || sound_.expectedAmplitude() >= 0)
+    )
+    {
+        os  << ",\n    where that of the largest particle is up to "
+            << motion_.fadingSpeed(particles, static_cast<int>(largest))
+            << " m/s";
     }
 
     Info<< os.str().c_str() << nl;

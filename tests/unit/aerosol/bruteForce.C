@@ -66,14 +66,17 @@ void Foam::aerosol::testTools::bruteForce::resize()
 
     weight_ = law_.gravity*(1 - gas_.rho*pi/6*d_.cube()/m_);
 
-    acts_.setZero(size(), size());
-    for (int i = 0; i < size(); ++i)
+    range_ = law_.range*d_;
+    if (law_.bound > 0)
     {
-        for (int j = 0; j < size(); ++j)
-        {
-            const double distance = relative(y_, i, j).first.norm();
-            acts_(i, j) = i != j && distance <= law_.range*d_(j);
-        }
+        const double omega = 2*pi*law_.frequency;
+        const array s = omega/rate_;
+        const array U = law_.u*s/(1 + s.square()).sqrt() + weight_/rate_;
+        const array half = 0.5*U/omega;
+
+        range_ =
+            (0.75*d_*U/law_.bound)
+           .min(half + (half.square() + 3*gas_.nu()/omega).sqrt());
     }
 
     end_.resizeLike(y_);
@@ -97,7 +100,7 @@ void Foam::aerosol::testTools::bruteForce::rates
     dy.leftCols<3>() = y.rightCols<3>();
     dy.rightCols<3>().setZero();
 
-    for (int j = 0; law_.range > 0 && j < size(); ++j)
+    for (int j = 0; range_(0) > 0 && j < size(); ++j)
     {
         const vec U = u - y.row(j).tail<3>().matrix().transpose();
         const double speed = U.norm();
@@ -141,8 +144,15 @@ void Foam::aerosol::testTools::bruteForce::rates
         // Theta points along (cosine e - U/speed)/sine
         along_ = speed*(along_ + cosine_*across_)/distance_;
 
-        along_ *= acts_.col(j);
-        across_ *= acts_.col(j);
+        // In full up to the range over the root of two; the distance of j
+        // itself is one
+        fade_ =
+            (2*(distance_/range_(j)).square() - 1).max(0.0).min(1.0);
+        fade_ = 1 - fade_.cube()*(10 - 15*fade_ + 6*fade_.square());
+        fade_(j) = 0;
+
+        along_ *= fade_;
+        across_ *= fade_;
 
         for (int k = 0; k < 3; ++k)
         {
@@ -283,12 +293,6 @@ void Foam::aerosol::testTools::bruteForce::look
     // Most are far from any event
     const double way = 2*h*std::max(v0.norm(), v1.norm());
     const double nearest = std::min(r0.norm(), r1.norm()) - way;
-    const double furthest = std::max(r0.norm(), r1.norm()) + way;
-
-    const auto distance = [&](const double s)
-    {
-        return relative(s, i, j).first.norm();
-    };
 
     // Where a function that is positive at a, but not at b, changes its sign
     const auto root = [](const auto& function, double a, double b)
@@ -306,7 +310,7 @@ void Foam::aerosol::testTools::bruteForce::look
 
     const auto gap = [&](const double s)
     {
-        return distance(s) - touch;
+        return relative(s, i, j).first.norm() - touch;
     };
 
     const auto closing = [&](const double s)
@@ -337,43 +341,11 @@ void Foam::aerosol::testTools::bruteForce::look
 
         if (s < first.s)
         {
-            first = {s, i, j, true};
+            first = {s, i, j};
         }
         if (s <= 1)
         {
             break;
-        }
-    }
-
-    for (const auto& [target, source] : {std::pair(i, j), std::pair(j, i)})
-    {
-        const double range = law_.range*d_(source);
-        const double sign = acts_(target, source) ? 1 : -1;
-
-        // A little beyond, so that nothing is found twice
-        const auto remains = [&](const double s)
-        {
-            return sign*(range - distance(s)) + 1e-10*range;
-        };
-
-        for
-        (
-            int n = 1;
-            nearest <= range && range <= furthest && n <= parts;
-            ++n
-        )
-        {
-            if (remains(double(n)/parts) <= 0)
-            {
-                const double s =
-                    root(remains, double(n - 1)/parts, double(n)/parts);
-
-                if (s < first.s)
-                {
-                    first = {s, target, source, false};
-                }
-                break;
-            }
         }
     }
 }
@@ -544,7 +516,7 @@ void Foam::aerosol::testTools::bruteForce::run(const double end)
 
         makeDense(h);
 
-        event first{2, -1, -1, false};
+        event first{2, -1, -1};
 
         for (int i = 0; i < size(); ++i)
         {
@@ -562,20 +534,12 @@ void Foam::aerosol::testTools::bruteForce::run(const double end)
             y_.swap(end_);
             k_[0].swap(k_[6]);
         }
-        else if (first.contact)
+        else
         {
             t_ += endAt(first.s*h, first.i, first.j);
             y_.swap(end_);
             merge(first.i, first.j);
             mergeOverlaps();
-        }
-        else
-        {
-            step(first.s*h);
-            t_ += first.s*h;
-            y_.swap(end_);
-            acts_(first.i, first.j) = !acts_(first.i, first.j);
-            rates(t_, y_, k_[0]);
         }
     }
 }

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <complex>
 #include <random>
@@ -640,7 +641,7 @@ TEST(equationOfMotion, isOfSecondOrderAtFiniteReynoldsNumber)
 }
 
 
-TEST(equationOfMotion, cutsWakesOffAtTheirRange)
+TEST(equationOfMotion, fadesWakesOutTowardsTheirRange)
 {
     const gasProperties gas = gasProperties::air();
     equationOfMotion motion
@@ -660,7 +661,9 @@ TEST(equationOfMotion, cutsWakesOffAtTheirRange)
 
     const vec direction = vec(1, 2, -2)/3;
 
-    for (const double r : {15e-6, 19.999e-6, 20.001e-6, 79.99e-6, 80.01e-6})
+    // By each at the other one, over Oseen's flow; those who are out of range
+    // may be in the list or not
+    const auto shares = [&](const double r)
     {
         p.x.col(0) = vec(0.1, 0.2, 0.3);
         p.x.col(1) = p.x.col(0) + r*direction;
@@ -668,8 +671,39 @@ TEST(equationOfMotion, cutsWakesOffAtTheirRange)
         vectors w;
         motion.wakes(p, everyPair(2), p.x, p.v, still, w);
 
-        EXPECT_EQ(w.col(0).norm() > 0, r < 20e-6) << r;
-        EXPECT_EQ(w.col(1).norm() > 0, r < 80e-6) << r;
+        const auto share = [&](const int source, const double sign)
+        {
+            return
+                w.col(1 - source).norm()
+               /OseenFlow
+                (
+                    sign*r*direction, -p.v.col(source), 0.5*p.d(source),
+                    gas.nu()
+                ).norm();
+        };
+
+        return std::array<double, 2>{share(0, 1), share(1, -1)};
+    };
+
+    for (const double r : {10e-6, 14.1e-6, 56.5e-6})
+    {
+        EXPECT_NEAR(shares(r)[0], 1, 1e-8) << r;
+        EXPECT_EQ(shares(r)[1] > 0.999, r < 20e-6) << r;
+    }
+
+    // The half at sqrt(3)/2 of the range, nothing beyond it
+    EXPECT_NEAR(shares(std::sqrt(0.75)*80e-6)[0], 0.5, 1e-8);
+    EXPECT_NEAR(shares(std::sqrt(0.75)*20e-6)[1], 0.5, 1e-8);
+    EXPECT_EQ(shares(80.01e-6)[0], 0);
+    EXPECT_EQ(shares(20.01e-6)[1], 0);
+
+    // Slope and curvature are continuous where it begins and ends
+    for (const double h : {0.001, 0.01})
+    {
+        const double gone = 10*std::pow(2*h, 3);
+
+        EXPECT_NEAR(1 - shares(80e-6*std::sqrt(0.5 + h))[0], gone, 0.1*gone);
+        EXPECT_NEAR(shares(80e-6*std::sqrt(1 - h))[0], gone, 0.1*gone);
     }
 }
 
@@ -742,13 +776,20 @@ TEST(equationOfMotion, sumsTheWakesOfAllImages)
 
                 if (r.norm() <= 20*p.d(j))
                 {
-                    expected += OseenFlow
+                    const double s = std::max
                     (
-                        r*std::max(1.0, a/r.norm()),
-                        u.col(j) - p.v.col(j),
-                        a,
-                        gas.nu()
+                        2*std::pow(r.norm()/(20*p.d(j)), 2) - 1, 0.0
                     );
+
+                    expected +=
+                        (1 - 10*s*s*s + 15*s*s*s*s - 6*std::pow(s, 5))
+                       *OseenFlow
+                        (
+                            r*std::max(1.0, a/r.norm()),
+                            u.col(j) - p.v.col(j),
+                            a,
+                            gas.nu()
+                        );
                 }
             }
         }

@@ -101,6 +101,19 @@ Eigen::Vector3d meanWay(const vectors& x0, const vectors& x1)
     return (x1 - x0).rowwise().mean();
 }
 
+
+//- How far each gets beside a common way
+scalars ways
+(
+    const vectors& x0,
+    const vectors& x1,
+    const Eigen::Vector3d& common
+)
+{
+    return
+        ((x1 - x0).colwise() - common).colwise().norm().transpose().array();
+}
+
 } // End anonymous namespace
 
 
@@ -124,6 +137,10 @@ TEST(rooms, lastForManyPeriodsOfSound)
 
             const Eigen::Vector3d way = meanWay(before.x, air.p.x);
 
+            ASSERT_TRUE
+            (
+                all.contain(before, 1.1*ways(before.x, air.p.x, way))
+            ) << stepsPerPeriod << " " << s;
             ASSERT_TRUE
             (
                 all.hold
@@ -168,6 +185,12 @@ TEST(rooms, noticeWhoeverLeaves)
 
         air.p.x.col(i) = all.centres().col(i) + way;
         air.p.x(2, i) += all.sizes()(i);
+
+        // Also beforehand, by one who might get as far
+        scalars far = ways(before.x, air.p.x, way);
+        EXPECT_FALSE(all.contain(before, far));
+        far(i) = 0;
+        EXPECT_TRUE(all.contain(before, far));
 
         EXPECT_FALSE
         (

@@ -198,6 +198,43 @@ TEST(slipBound, limitsTheMomentumOfAWakeToThatOfTheDrag)
 }
 
 
+TEST(slipBound, saysHowFastWakesAreWhereTheyFade)
+{
+    // In the wake, far away, Oseen's is 3U/2R; by default a coarse one is there
+    // far above the tolerance, as its range is limited
+    const gasProperties gas = gasProperties::air();
+    particleArrays p = spheres({0.3e-6, 1e-6, 3e-6, 10e-6}, 2300);
+
+    for (const char* type : {"Oseen", "ProudmanPearson", "memory", "history"})
+    {
+        equationOfMotion motion
+        (
+            laws(std::string("type ") + type + ';'),
+            gas,
+            Eigen::Array3d::Ones(),
+            {1400, 1.53}
+        );
+        motion.chooseTolerance(p);
+        motion.refresh(p);
+
+        const double r = std::sqrt(0.5)*p.range(3);
+        const double bound = 1.5*5e-6*slip(p, 3)/r;
+        const double speed = motion.fadingSpeed(p, 3);
+
+        if (motion.wakeModel().omega() > 0)
+        {
+            EXPECT_GT(speed, 0) << type;
+            EXPECT_LT(speed, 0.2*bound) << type;
+        }
+        else
+        {
+            EXPECT_NEAR(speed/bound, 1, 0.02) << type;
+            EXPECT_GT(speed, 5*motion.wakeModel().tolerance()) << type;
+        }
+    }
+}
+
+
 TEST(slipBound, givesTheRangesOfTheWakes)
 {
     const gasProperties gas = gasProperties::air();
@@ -329,12 +366,13 @@ TEST(slipBound, keepsWhatIsLeftOutBelowTheTolerance)
                 for (int j = 0; j < p.size(); ++j)
                 {
                     const double r = (p.x.col(i) - p.x.col(j)).norm();
-                    added += j != i && r > before(j) && r <= p.range(j);
+                    added +=
+                        j != i && r > 0.7*before(j) && r <= p.range(j);
                 }
 
                 const double change = (w.col(i) - w0.col(i)).norm();
 
-                EXPECT_LE(change, 2*tolerance*added + 1e-12);
+                EXPECT_LE(change, 1.02*2*tolerance*added + 1e-12);
                 largest = std::max(largest, change);
             }
 

@@ -3,7 +3,7 @@
 Two spheres in a gas that swings alike everywhere, each in the wake of the other,
 by the formula of the solver: the flow of Oseen by its slip against the
 undisturbed gas (src/aerosol/motion/wake/OseenWake), and no farther than by
-default. All is relative to the gas. Runge and Kutta's fourth order, in steps
+default, where it fades out. All is relative to the gas. Runge and Kutta's fourth order, in steps
 that are short against relaxation times, period and time to contact; contacts
 are those of the chords.
 
@@ -49,7 +49,8 @@ def oseen(s, U, a, reach=np.inf, nu=NU):
     radial = 2*dipole*along + 0.75*q*(upstream*sink - (speed + along)*E)
     transverse = dipole + 0.75*q*E
     w = (radial + transverse*along)/distance*s - transverse*U
-    return np.where(distance < reach, w, 0)
+    s = np.clip(2*(distance/reach)**2 - 1, 0, 1)
+    return w*(1 - s**3*(10 - s*(15 - 6*s)))
 
 
 @lru_cache(maxsize=None)

@@ -782,6 +782,66 @@ Foam::aerosol::equationOfMotion::settling(const particleArrays& p) const
 }
 
 
+Foam::scalar Foam::aerosol::equationOfMotion::fadingSpeed
+(
+    const particleArrays& p,
+    const int i
+) const
+{
+    constexpr int nDirections = 8;
+    constexpr int nPhases = wake::blockSize/nDirections;
+
+    if (p.range(i) <= 0)
+    {
+        return 0;
+    }
+
+    // GREAT without drag
+    const scalar slip = std::min
+    (
+        slips_.slip
+        (
+            scalars::Constant(1, p.rate(i)), p.acceleration.col(i)
+        )(0),
+        1e6
+    );
+
+    wake::block block;
+
+    for (int k = 0; k < 3; ++k)
+    {
+        block.r[k].setZero();
+        block.slip[k].setZero();
+        block.quadrature[k].setZero();
+        block.steady[k].setZero();
+    }
+    block.radius = 0.5*p.mobility(i);
+
+    for (int b = 0; b < wake::blockSize; ++b)
+    {
+        const double angle = EIGEN_PI*(b/nPhases)/(nDirections - 1);
+        const double phase = 2*EIGEN_PI*(b % nPhases)/nPhases;
+        const double r = wake::fadeBegin*p.range(i);
+
+        block.r[0](b) = r*std::cos(angle);
+        block.r[1](b) = r*std::sin(angle);
+        block.slip[0](b) = slip*std::cos(phase);
+        block.quadrature[0](b) = slip*std::sin(phase);
+    }
+
+    wake_->evaluate(block, gas_);
+
+    return std::sqrt
+    (
+        (
+            block.velocity[0].square()
+          + block.velocity[1].square()
+          + block.velocity[2].square()
+        ).maxCoeff()
+    );
+}
+
+
 void Foam::aerosol::equationOfMotion::wakes
 (
     const sources& from,
@@ -798,6 +858,8 @@ void Foam::aerosol::equationOfMotion::wakes
     }
 
     wake::block block;
+    wake::blockScalars range;
+    wake::blockScalars share = wake::blockScalars::Ones();
     std::array<int, wake::blockSize> target;
     int n = 0;
 
@@ -810,8 +872,7 @@ void Foam::aerosol::equationOfMotion::wakes
         block.steady[k].setZero();
     }
     block.radius.setOnes();
-
-    const bool limited = from.range.size();
+    range.setOnes();
 
     const auto evaluate = [&]()
     {
@@ -820,10 +881,25 @@ void Foam::aerosol::equationOfMotion::wakes
 
         wake_->evaluate(block, gas_);
 
+        for (int b = 0; b < wake::blockSize; ++b)
+        {
+            share(b) *= wake::fade
+            (
+                (
+                    block.r[0](b)*block.r[0](b)
+                  + block.r[1](b)*block.r[1](b)
+                  + block.r[2](b)*block.r[2](b)
+                )/(range(b)*range(b))
+            );
+        }
+
         for (int k = 0; k < 3; ++k)
         {
-            block.velocity[k] = (block.velocity[k] + rounding) - rounding;
+            block.velocity[k] =
+                (share*block.velocity[k] + rounding) - rounding;
         }
+
+        share.setOnes();
 
         const double* const w0 = block.velocity[0].data();
         const double* const w1 = block.velocity[1].data();
@@ -850,7 +926,7 @@ void Foam::aerosol::equationOfMotion::wakes
       ? wake_->paths(from.slip - from.steady, from.quadrature)
       : std::vector<wake::path>();
     const double* const d = from.d.data();
-    const double* const range = from.range.data();
+    const double* const ranges = from.range.data();
 
     for (const particlePair& pair : pairs)
     {
@@ -869,7 +945,7 @@ void Foam::aerosol::equationOfMotion::wakes
         }
 
         const double distanceSqr = r[0]*r[0] + r[1]*r[1] + r[2]*r[2];
-        const double reach = limited ? range[pair.j] : GREAT;
+        const double reach = ranges[pair.j];
 
         if (distanceSqr > reach*reach || distanceSqr < VSMALL)
         {
@@ -891,11 +967,17 @@ void Foam::aerosol::equationOfMotion::wakes
         }
 
         block.radius.data()[n] = 0.5*d[pair.j];
+        range.data()[n] = reach;
         target[n] = pair.i;
+
+        if (!paths.empty())
+        {
+            share.data()[n] = paths[pair.j].share(r, paths[pair.i]);
+        }
 
         // Counted, not chosen: which is faster than a branch that nobody can
         // predict
-        n += paths.empty() || paths[pair.j].isNear(r, paths[pair.i]);
+        n += share.data()[n] > 0;
 
         if (n == wake::blockSize)
         {
@@ -913,6 +995,8 @@ void Foam::aerosol::equationOfMotion::wakes
             block.steady[k](b) = 0;
         }
         block.radius(b) = 1;
+        range(b) = 1;
+        share(b) = 1;
     }
 
     evaluate();

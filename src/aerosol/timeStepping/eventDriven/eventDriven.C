@@ -36,6 +36,11 @@ constexpr double encounter = 5;
 //  step only
 constexpr double crowd = 200;
 
+//- How far a particle may get in a step, in its way without wakes: for those,
+//  and for the curvature of the path. What is not found in range for all that
+//  would be at the far end of its fade.
+constexpr double wakeMargin = 1.1;
+
 //- More steps than this are not needed: contact ends the approach. Brownian
 //  motion strays as the root of time, and needs more.
 constexpr int maxSteps = 64;
@@ -166,6 +171,7 @@ void Foam::aerosol::eventDriven::list
     keepNeeded(contactHalo_, contactCandidates_);
     fillIds(p);
 
+    // For one step only, findWakes looks for them
     listedRange_ = p.range;
     if (rooms_.lasting())
     {
@@ -176,14 +182,10 @@ void Foam::aerosol::eventDriven::list
             (p.range > 0).select(p.range + room, 0),
             room
         );
+        wakeCandidates_.swap(wakePairs_);
+        listedWakeHalo_ = wakeHalo_;
+        keepNeeded(listedWakeHalo_, wakeCandidates_);
     }
-    else
-    {
-        searchWakes(p, p.x, p.range);
-    }
-    wakeCandidates_.swap(wakePairs_);
-    listedWakeHalo_ = wakeHalo_;
-    keepNeeded(listedWakeHalo_, wakeCandidates_);
 }
 
 
@@ -256,7 +258,7 @@ Foam::aerosol::scalars Foam::aerosol::eventDriven::wakesNow
             1.5*strength(pair.j)/std::max(r, 0.5*p.collision(pair.i));
     }
 
-    involve(p, true);
+    involve(p);
 
     const gasStep air = gas.some(involved_);
 
@@ -288,7 +290,11 @@ void Foam::aerosol::eventDriven::fillIds(const particleArrays& p)
 }
 
 
-void Foam::aerosol::eventDriven::findWakes(const particleArrays& p)
+void Foam::aerosol::eventDriven::findWakes
+(
+    const particleArrays& p,
+    const equationOfMotion::state& end
+)
 {
     if (!with_.motion.hasWakes())
     {
@@ -297,11 +303,33 @@ void Foam::aerosol::eventDriven::findWakes(const particleArrays& p)
 
     const int n = p.size();
 
+    const scalars way =
+        wakeMargin
+       *((end.x - p.x).colwise() - commonWay_).colwise().norm().transpose()
+       .array();
+    const scalars reach = (p.range > 0).select(p.range + way, 0);
+
+    bool listed = rooms_.lasting();
+
+    if (listed && bricks::max(!rooms_.contain(p, way)) > 0)
+    {
+        listed = false;
+        rooms_.leave();
+    }
+
+    if (!listed)
+    {
+        // Without what all have moved alike, as in findEncounters
+        searchWakes(p, p.x.colwise() - rooms_.moved(), reach, way);
+        involve(p);
+        return;
+    }
+
     wakeHalo_ = listedWakeHalo_;
     wakeHalo_.fill
     ({
         {p.x, wakeCopiesX_, wakeHalo_, true},
-        {p.range, wakeCopiesRange_, wakeHalo_}
+        {reach, wakeCopiesReach_, wakeHalo_}
     });
 
     wakePairs_.clear();
@@ -312,18 +340,19 @@ void Foam::aerosol::eventDriven::findWakes(const particleArrays& p)
         const double* const xi = p.x.data() + 3*pair.i;
         const double* const xj =
             own ? p.x.data() + 3*pair.j : wakeCopiesX_.data() + 3*(pair.j - n);
-        const double range =
-            own ? p.range(pair.j) : wakeCopiesRange_(pair.j - n);
+        const double far =
+            (own ? reach(pair.j) : wakeCopiesReach_(pair.j - n))
+          + way(pair.i);
 
         const double r[3] = {xi[0] - xj[0], xi[1] - xj[1], xi[2] - xj[2]};
 
-        if (r[0]*r[0] + r[1]*r[1] + r[2]*r[2] <= range*range)
+        if (r[0]*r[0] + r[1]*r[1] + r[2]*r[2] <= far*far)
         {
             wakePairs_.push_back(pair);
         }
     }
 
-    involve(p, false);
+    involve(p);
 }
 
 
@@ -638,7 +667,10 @@ void Foam::aerosol::eventDriven::tidy
 
     if (withWakes)
     {
-        drop(listedWakeHalo_, wakeCandidates_);
+        if (rooms_.lasting())
+        {
+            drop(listedWakeHalo_, wakeCandidates_);
+        }
         remove(listedRange_, absorbed);
     }
 
@@ -671,8 +703,9 @@ void Foam::aerosol::eventDriven::advance
     const gasOfStep gas = gasWhenAsked(p, t, h, true);
     equationOfMotion::state end;
 
-    findWakes(p);
-    moveAll(h, p, gas, true, 0, end);
+    moveWithoutWakes(h, p, gas, 0, end);
+    findWakes(p, end);
+    moveInWakes(h, p, gas, true, end);
 
     std::vector<int> steps;
     std::vector<char> absorbed;

@@ -293,6 +293,20 @@ bool Foam::aerosol::rooms::hold
 }
 
 
+bool Foam::aerosol::rooms::contain
+(
+    const particleArrays& p,
+    const scalars& way
+) const
+{
+    const scalars off =
+        ((p.x - centre_).colwise() - moved_).colwise().norm().transpose()
+       .array();
+
+    return (off + way <= size_).all();
+}
+
+
 void Foam::aerosol::rooms::remove(const std::vector<char>& marked)
 {
     aerosol::remove(centre_, marked);

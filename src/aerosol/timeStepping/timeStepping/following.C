@@ -30,27 +30,7 @@ Foam::aerosol::timeStepping::outsideWakes
         return outside;
     }
 
-    // Those from inside that are part of all: within range at the beginning
-    std::vector<particlePair> acting;
-
-    for (const particlePair& pair : wakePairs)
-    {
-        double distanceSqr = 0;
-
-        for (int k = 0; k < 3; ++k)
-        {
-            const double r =
-                one.p.x(k, pair.i)
-              - (one.p.x(k, pair.j) + pair.image[k]*contactHalo_.period()(k));
-            distanceSqr += r*r;
-        }
-
-        if (distanceSqr <= one.p.range(pair.j)*one.p.range(pair.j))
-        {
-            acting.push_back(pair);
-        }
-    }
-
+    // All less those from inside
     const auto less =
     [&]
     (
@@ -64,10 +44,11 @@ Foam::aerosol::timeStepping::outsideWakes
         with_.motion.wakes
         (
             {
-                x, slip, one.p.mobility, {}, with_.motion.settling(one.p),
+                x, slip, one.p.mobility, one.p.range,
+                with_.motion.settling(one.p),
                 with_.motion.quadrature(one.p.rate, one.gas, s, h)
             },
-            acting,
+            wakePairs,
             one.p.size(),
             inside
         );

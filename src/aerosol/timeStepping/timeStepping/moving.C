@@ -71,11 +71,7 @@ void Foam::aerosol::timeStepping::searchWakes
 }
 
 
-void Foam::aerosol::timeStepping::involve
-(
-    const particleArrays& p,
-    const bool withRange
-)
+void Foam::aerosol::timeStepping::involve(const particleArrays& p)
 {
     involved_.clear();
 
@@ -140,14 +136,12 @@ void Foam::aerosol::timeStepping::involve
     sources_.slip.resize(3, wakeHalo_.size());
 
     sources_.d = p.mobility(involved_);
-    std::vector<halo::quantity> quantities{{sources_.d, wakeHalo_}};
+    sources_.range = p.range(involved_);
 
-    sources_.range.resize(0);
-    if (withRange)
+    std::vector<halo::quantity> quantities
     {
-        sources_.range = p.range(involved_);
-        quantities.push_back({sources_.range, wakeHalo_});
-    }
+        {sources_.d, wakeHalo_}, {sources_.range, wakeHalo_}
+    };
 
     if (with_.motion.wakeModel().omega() > 0)
     {
@@ -210,12 +204,11 @@ void Foam::aerosol::timeStepping::inRuns
 }
 
 
-void Foam::aerosol::timeStepping::moveAll
+void Foam::aerosol::timeStepping::moveWithoutWakes
 (
     const scalar h,
     const particleArrays& p,
     const gasOfStep& gas,
-    const bool withMiddle,
     const int part,
     equationOfMotion::state& end
 )
@@ -231,7 +224,6 @@ void Foam::aerosol::timeStepping::moveAll
     end.x.resize(3, p.size());
     end.v.resize(3, p.size());
 
-    // As if there were no wakes, which is the end for most of them
     inRuns
     (
         p,
@@ -249,13 +241,6 @@ void Foam::aerosol::timeStepping::moveAll
     );
 
     commonWay_ = h*bricks::mean((end.x - p.x)/h);
-
-    if (motion.hasWakes())
-    {
-        moveInWakes(h, p, gas, withMiddle, end);
-    }
-
-    motion.split(h, p, end);
 }
 
 
@@ -269,6 +254,13 @@ void Foam::aerosol::timeStepping::moveInWakes
 )
 {
     const equationOfMotion& motion = with_.motion;
+
+    if (!motion.hasWakes())
+    {
+        motion.split(h, p, end);
+        return;
+    }
+
     gasStep& w = wakes_;
     withMiddle_ = withMiddle;
 
@@ -336,6 +328,8 @@ void Foam::aerosol::timeStepping::moveInWakes
         end.x.col(involved_[k]) = there.x.col(k);
         end.v.col(involved_[k]) = there.v.col(k);
     }
+
+    motion.split(h, p, end);
 }
 
 

@@ -365,7 +365,10 @@ void Foam::aerosol::timeStepping::nestedSteps
 
         now.u1 = gas.at(scalar(s + 1)/nParticle);
 
-        moveAll(hp, p, gasAtHand(now), false, before + s, end);
+        const gasOfStep air = gasAtHand(now);
+
+        moveWithoutWakes(hp, p, air, before + s, end);
+        moveInWakes(hp, p, air, false, end);
 
         std::vector<char> absorbed;
         const bool met =
@@ -497,7 +500,7 @@ void Foam::aerosol::timeStepping::search
     (
         p, p.x, (p.range > 0).select(p.range + way + furthest, p.range)
     );
-    involve(p, true);
+    involve(p);
 
     // More for the wake of a neighbour, which is no faster than its slip, and
     // that no faster than twice the relative speed. A sphere that has just

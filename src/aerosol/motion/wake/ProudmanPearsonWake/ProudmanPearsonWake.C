@@ -36,7 +36,7 @@ Foam::aerosol::scalars Foam::aerosol::ProudmanPearsonWake::range
 {
     const scalars far = OseenWake::range(d, slip);
 
-    return tolerance() > 0 ? far.max(0.5*outer*d).eval() : far;
+    return tolerance() > 0 ? far.max(0.5*outer/fadeBegin*d).eval() : far;
 }
 
 
