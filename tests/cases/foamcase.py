@@ -46,7 +46,11 @@ class FoamCase:
         log = self.path/f"log.{command[0]}"
         with log.open("a") as out:
             result = subprocess.run(
-                ["bash", "-c", '. "$0"/bin/environment && exec "$@"', ROOT]
+                [
+                    "bash", "-c", '. "$0"/bin/environment'
+                    ' && exec ${ACOUSTICDEM_PRELOAD:+env'
+                    ' LD_PRELOAD="$ACOUSTICDEM_PRELOAD"} "$@"', ROOT,
+                ]
                 + [str(word) for word in command],
                 cwd=self.path,
                 env=os.environ,

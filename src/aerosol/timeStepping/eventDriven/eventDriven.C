@@ -36,9 +36,9 @@ constexpr double encounter = 5;
 //  step only
 constexpr double crowd = 200;
 
-//- How far a particle may get in a step, in its way without wakes: for those,
-//  and for the curvature of the path. What is not found in range for all that
-//  would be at the far end of its fade.
+//- How far a particle may get in a step, in its displacement without wakes: the
+//  tenth more is for wakes and for the curvature of its path. A pair that gets
+//  within range nevertheless is where hardly anything is left of the wake.
 constexpr double wakeMargin = 1.1;
 
 //- More steps than this are not needed: contact ends the approach. Brownian

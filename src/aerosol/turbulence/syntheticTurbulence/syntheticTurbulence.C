@@ -360,7 +360,7 @@ Foam::aerosol::syntheticTurbulence::syntheticTurbulence
        *(5*sqr(constant::mathematical::pi/(interval_*shearRate_))/14 + 1.0/3);
     const scalar factor = readAccelerationFactor(dict, ofWaves);
 
-    setOscillations(max(factor - ofWaves, 0)*unit);
+    setOscillations(max(factor - ofWaves, scalar(0))*unit);
 
     std::ostringstream os;
     os  << "Turbulence: dissipation " << nu*sqr(shearRate_)
@@ -371,7 +371,7 @@ Foam::aerosol::syntheticTurbulence::syntheticTurbulence
         << " s, " << speed_ << " m/s rms\n    acceleration "
         << std::sqrt(max(factor, ofWaves)*unit) << " m/s2 rms, with the factor "
         << max(factor, ofWaves) << ", of which waves have " << ofWaves
-        << ", the gas as a whole " << max(factor - ofWaves, 0);
+        << ", the gas as a whole " << max(factor - ofWaves, scalar(0));
 
     Info<< os.str().c_str() << endl;
 }
