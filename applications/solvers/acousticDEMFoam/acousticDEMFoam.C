@@ -126,6 +126,7 @@ int main(int argc, char *argv[])
 
     numbers.end();
     checkTimes(runTime);
+    requireFixedStep(runTime);
 
     #include "createRealMesh.H"
     #include "createFields.H"

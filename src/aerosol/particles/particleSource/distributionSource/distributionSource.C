@@ -81,8 +81,8 @@ int Foam::aerosol::distributionSource::count(const domain& region) const
     if (needed > memory)
     {
         FatalIOErrorInFunction(dict_)
-            << label(n) << " particles need about " << 1e-9*needed
-            << " GB of memory, but this computer has " << 1e-9*memory
+            << label(n) << " particles need about " << std::ceil(1e-9*needed)
+            << " GB of memory, but this computer has " << std::floor(1e-9*memory)
             << "; change '"
             << (byConcentration ? "numberConcentration" : "count")
             << "' of " << dict_.name() << " or the size of the domain"
