@@ -607,7 +607,7 @@ def run(folder, seed, number, keep=None):
     if (
         wrong == LATE
         and "Starting time loop" in (case/"log").read_text(errors="replace")
-        and any(COSTLY.search(text) for text in done)
+        and any(COSTLY.search(text) or "controlDict" in text for text in done)
     ):
         wrong = ""
         done.append("(long)")

@@ -26,7 +26,7 @@
 const Foam::fvMesh& Foam::acoustics::meshSound::checked(const fvMesh& mesh)
 {
     // In the cells and where a boundary condition says what it is
-    const auto range = [&](const word& name)
+    const auto range = [&](const word& name, const dimensionSet& dimensions)
     {
         const runGuard::activity what
         (
@@ -47,6 +47,14 @@ const Foam::fvMesh& Foam::acoustics::meshSound::checked(const fvMesh& mesh)
             ),
             mesh
         );
+
+        if (field.dimensions() != dimensions)
+        {
+            FatalIOError(FUNCTION_NAME, __FILE__, __LINE__, field.objectPath())
+                << "The dimensions of " << name << " are "
+                << field.dimensions() << ", but must be " << dimensions
+                << exit(FatalIOError);
+        }
 
         scalar least = gMin(field.primitiveField());
         scalar most = gMax(field.primitiveField());
@@ -70,8 +78,8 @@ const Foam::fvMesh& Foam::acoustics::meshSound::checked(const fvMesh& mesh)
         return std::make_tuple(field.objectPath(), least, most);
     };
 
-    const auto [pFile, pLeast, pMost] = range("p");
-    const auto [TFile, TLeast, TMost] = range("T");
+    const auto [pFile, pLeast, pMost] = range("p", dimPressure);
+    const auto [TFile, TLeast, TMost] = range("T", dimTemperature);
 
     for (const scalar p : {pLeast, pMost})
     {
@@ -88,6 +96,13 @@ const Foam::fvMesh& Foam::acoustics::meshSound::checked(const fvMesh& mesh)
 
 void Foam::acoustics::meshSound::checkBoundaries(const dictionary& dict) const
 {
+    if (U_.dimensions() != dimVelocity)
+    {
+        FatalIOError(FUNCTION_NAME, __FILE__, __LINE__, U_.objectPath())
+            << "The dimensions of U are " << U_.dimensions()
+            << ", but must be " << dimVelocity << exit(FatalIOError);
+    }
+
     const scalar p = thermo_->p().weightedAverage(mesh_.V()).value();
     const scalar gamma = thermo_->gamma()().weightedAverage(mesh_.V()).value();
 

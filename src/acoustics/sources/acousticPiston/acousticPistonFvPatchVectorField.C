@@ -98,7 +98,7 @@ acousticPistonFvPatchVectorField
       : vectorField(p.size(), Zero)
     );
 
-    if (dict.found("value"))
+    if (p.size() && dict.found("value"))
     {
         requireAllRead(dict, "value");
     }

@@ -66,7 +66,7 @@ acousticPressureFvPatchScalarField
       : scalarField(p.size(), ambient_)
     );
 
-    if (dict.found("value"))
+    if (p.size() && dict.found("value"))
     {
         requireAllRead(dict, "value");
     }

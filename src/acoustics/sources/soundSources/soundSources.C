@@ -23,7 +23,7 @@ bool Foam::acoustics::soundSources::agrees
 {
     const scalar n = std::max(std::round(s.frequency/frequency), 1.0);
 
-    return mag(s.frequency - n*frequency) < 1e-6*s.frequency;
+    return mag(s.frequency - n*frequency) < 1e-4*s.frequency;
 }
 
 
@@ -94,7 +94,7 @@ void Foam::acoustics::soundSources::warnOfFrequency
 
     for (const source& s : all_)
     {
-        found = found || mag(s.frequency - frequency) < 1e-6*frequency;
+        found = found || mag(s.frequency - frequency) < 1e-4*frequency;
     }
 
     for (const source& s : all_)
@@ -123,7 +123,7 @@ void Foam::acoustics::soundSources::requireFrequency
         if
         (
             patches.found(s.patch)
-         && mag(s.frequency - frequency) > 1e-6*frequency
+         && mag(s.frequency - frequency) > 1e-4*frequency
         )
         {
             FatalIOErrorInFunction(dict)

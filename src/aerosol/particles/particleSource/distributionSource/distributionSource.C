@@ -82,7 +82,8 @@ int Foam::aerosol::distributionSource::count(const domain& region) const
     {
         FatalIOErrorInFunction(dict_)
             << label(n) << " particles need about " << std::ceil(1e-9*needed)
-            << " GB of memory, but this computer has " << std::floor(1e-9*memory)
+            << " GB of memory, but this computer has "
+            << std::floor(1e-9*memory)
             << "; change '"
             << (byConcentration ? "numberConcentration" : "count")
             << "' of " << dict_.name() << " or the size of the domain"
