@@ -6,11 +6,26 @@ import numpy as np
 import pytest
 
 
-def run(box, changes=(), sound=None, steps=6):
+def pairs(primaries):
+    """Pairs of particles that meet in the first step, off their centres."""
+    rows = []
+    beside = 1.9e-6 if primaries == 1 else 3.5e-6
+    for i in range(12):
+        x, y, z = 0.0613 - 2e-4 + 5e-5*(i % 6), -5e-5 + 1e-4*(i//6), 0
+        for side in (-1, 1):
+            rows.append(
+                f"{{ position ({x + 2.7e-6*side:.9g} {y + beside*side:.9g} {z});"
+                f" diameter 5e-6; velocity ({-0.3*side} 0 0);"
+                f" primaries {primaries}; }}"
+            )
+    return "density 2300;\nsource list;\nparticles\n(" + "\n".join(rows) + "\n);"
+
+
+def run(box, changes=(), sound=None, steps=4):
     """A few steps; changes are (dictionary, its new contents)."""
     box.control("endTime", f"#eval{{ {steps}.0/($frequency*$stepsPerPeriod) }}")
     box.control("writeInterval", str(steps))
-    box.aerosol("numberConcentration", "2e12")
+    box.aerosol("numberConcentration", "4e11")
     for name, text in changes:
         file = box.path/"constant"/"aerosolProperties"
         if re.search(rf"(?m)^{name}$", file.read_text()):
@@ -41,7 +56,7 @@ RUMPF = "bond { type Rumpf; HamakerConstant 1e-25;"
 @pytest.mark.parametrize("name, one, other", [
     ("contact", "type coalescence; surfaceTension 0.0728;",
      "type coalescence; surfaceTension 1e-9;"),
-    ("aggregate", FRACTAL, f"{FRACTAL} prefactor 1.4;"),
+    ("aggregate", FRACTAL, f"{FRACTAL} prefactor 3;"),
     ("aggregate", FRACTAL, f"{FRACTAL} mobilityExponent 0.6;"),
     ("contact", "type probability; sticking 0.1; restitution 0.9;",
      "type probability; sticking 0.1; restitution 0.9; slowest 1;"),
@@ -51,7 +66,7 @@ RUMPF = "bond { type Rumpf; HamakerConstant 1e-25;"
     ("turbulence", "type syntheticTurbulence; dissipation 10;",
      "type syntheticTurbulence; dissipation 10; seed 3;"),
     ("turbulence", "type syntheticTurbulence; shearRate 2000;",
-     "type syntheticTurbulence; shearRate 2000; timeScale 1e-5;"),
+     "type syntheticTurbulence; shearRate 2000; timeScale 1e-3;"),
     ("turbulence", "type syntheticTurbulence; shearRate 2000;",
      "type syntheticTurbulence; shearRate 2000; wavelength 0.25e-3;"),
     ("Brownian", "type OrnsteinUhlenbeck;", "type OrnsteinUhlenbeck; seed 5;"),
@@ -59,9 +74,14 @@ RUMPF = "bond { type Rumpf; HamakerConstant 1e-25;"
      "type Basset; frequencies (500 50000);"),
 ])
 def test_an_option_acts(box, tmp_path, meshed, name, one, other):
-    a = run(box, [(name, one)])[0]
+    # Contacts need particles that meet; aggregates have primaries
+    meet = (
+        [("particles", pairs(20 if name == "aggregate" else 1))]
+        if name in ("contact", "aggregate", "timeStepping") else []
+    )
+    a = run(box, [*meet, (name, one)])[0]
     again = type(box)(tmp_path/"other", meshed)
-    b = run(again, [(name, other)])[0]
+    b = run(again, [*meet, (name, other)])[0]
     assert len(a["id"]) != len(b["id"]) or not np.array_equal(
         a["position"], b["position"]
     )
