@@ -23,7 +23,10 @@ def test_turbulence(stepping):
     measure(f"*turbulentKernel.*/{stepping}")
 
 
-@pytest.mark.parametrize("edge", [500, 1000, 2000])
+FULL = bool(os.environ.get("ACOUSTICDEM_FULL_STATISTICS"))
+
+
+@pytest.mark.parametrize("edge", [500, 1000, 2000] if FULL else [500])
 def test_turbulence_with_inertia(edge):
     measure(f"*boxOfFlyAsh.*/of{edge}um")
 

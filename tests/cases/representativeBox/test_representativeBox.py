@@ -230,8 +230,8 @@ def test_another_mean_flow_after_a_restart_moves_nothing(tmp_path, meshed):
     x0, v0 = np.array([0.0613, 1e-4, -1e-4]), np.array([0.3, 0.2, -0.1])
     case.particles([(x0, 5e-6)])
     case.replace(
-        "constant/aerosolProperties", r"diameter 5e-06;",
-        "diameter 5e-06; velocity (0.3 0.2 -0.1);",
+        "constant/aerosolProperties", r"diameter [^;]*;",
+        "diameter 5e-6; velocity (0.3 0.2 -0.1);",
     )
     for name in ("drag", "gravity", "wake", "contact"):
         case.model(name, "type none;")

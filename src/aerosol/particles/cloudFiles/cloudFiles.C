@@ -268,10 +268,13 @@ Foam::Field<Type> Foam::aerosol::cloudFiles::readField
         }
         else if (parts[proci].size() != sizes[proci])
         {
+            const std::string onRank =
+                Pstream::parRun() ? " on rank " + Foam::name(proci) : "";
+
             FatalIOErrorInFunction(io.objectPath())
                 << "The file '" << name << "' " << place().c_str() << " has "
                 << parts[proci].size() << " values"
-                << (Pstream::parRun() ? " on rank " + Foam::name(proci) : "")
+                << onRank.c_str()
                 << ", but there are " << sizes[proci] << " particles (of 'id')"
                 << exit(FatalIOError);
         }
