@@ -113,7 +113,8 @@ bool Foam::aerosol::twoWayCoupling::wanted(const dictionary& dict)
 
     if (type == "none")
     {
-        requireOnly(dict, {"type"});
+        // To switch it off for a comparison, the type is enough
+        requireOnly(dict, {"type", "represents"});
     }
 
     return type == "twoWay";

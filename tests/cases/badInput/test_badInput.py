@@ -425,8 +425,8 @@ BAD = {
         "Unknown entry 'sticking'",
     ),
     "entryOfNoCoupling": (
-        AEROSOL, "domain", "coupling { type none; represents (1 1 1); }\ndomain",
-        "Unknown entry 'represents'",
+        AEROSOL, "domain", "coupling { type none; range 1; }\ndomain",
+        "Unknown entry 'range'",
     ),
     "entryOfNoTurbulence": (
         AEROSOL, "domain", "turbulence { type none; seed 1; }\ndomain",
