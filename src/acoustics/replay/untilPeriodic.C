@@ -88,8 +88,6 @@ void Foam::acoustics::untilPeriodic::endPeriod()
     before_ = now;
     quality_.change = change;
 
-    requireNames(now.size());
-
     nSteady_ = change < tolerance_ ? nSteady_ + 1 : 0;
 
     Info<< "Sound, period " << label(std::lround(sum_.end()*frequency()))
@@ -274,26 +272,6 @@ void Foam::acoustics::untilPeriodic::removeLeft() const
 }
 
 
-void Foam::acoustics::untilPeriodic::requireNames(const label nTerms) const
-{
-    for (label i = 0; i < nTerms; ++i)
-    {
-        const word name = harmonicFlow::name(i);
-        const auto* other = mesh_.cfindObject<regIOobject>(name);
-
-        if (other && other->note() != cellFieldNote)
-        {
-            FatalErrorInFunction
-                << "A function object has made a field " << name << ", as"
-                << " fieldAverage of U does. The sound untilPeriodic needs this"
-                << " name for what it replays: give that field another name, or"
-                << " remove the function object"
-                << exit(FatalError);
-        }
-    }
-}
-
-
 void Foam::acoustics::untilPeriodic::makeFields()
 {
     const auto make =
@@ -305,10 +283,18 @@ void Foam::acoustics::untilPeriodic::makeFields()
             ).ptr();
             field->writeOpt() = IOobject::AUTO_WRITE;
 
-            // A soundPressureLevel, which makes another one afterwards, may
-            // have made one of the same name
+            // A soundPressureLevel makes another one afterwards
             if (auto* other = mesh_.getObjectPtr<regIOobject>(name))
             {
+                if (other->note() != cellFieldNote)
+                {
+                    WarningInFunction
+                        << "The field " << name << " of a function object, as"
+                        << " fieldAverage of U makes it, is replaced by that of"
+                        << " the sound that is replayed. The function object"
+                        << " must have ended by now (timeEnd): what it writes"
+                        << " later cannot be replayed" << endl;
+                }
                 other->checkOut();
             }
             field->checkIn();

@@ -201,7 +201,7 @@ def test_needs_a_gradient(tmp_path, meshed):
 def test_needs_the_mean_flow(tmp_path, meshed):
     case = prepare(tmp_path/"case", meshed, velocity)
     (case.path/"0"/"UMean").unlink()
-    refused(case, "There is no field .*UMean")
+    refused(case, "No time directory of .* has a field UMean")
 
 
 @pytest.mark.parametrize("wake", ["memory", "history"])

@@ -157,7 +157,8 @@ def test_what_is_lost_is_given(tmp_path, represents, noise, breakage):
         (case.path/"constant/aerosolProperties").read_text()
         + f"\nBrownian {{ type {noise}; }}\n"
         + f"breakage {{ type {breakage};"
-        + " bond { type JKR; workOfAdhesion 1e-13; } }\n"
+        + (" bond { type JKR; workOfAdhesion 1e-13; }"
+           if breakage != "none" else "") + " }\n"
         + "report { breakages yes; }\n",
     )
     case.control("endTime", f"{120/(200*1400)!r}")
