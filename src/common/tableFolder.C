@@ -7,6 +7,7 @@
 #include "error.H"
 #include "IOstreams.H"
 #include "OSspecific.H"
+#include "writtenFiles.H"
 
 #include <cerrno>
 #include <cstring>
@@ -84,7 +85,7 @@ Foam::tableFolder::tableFolder(const fileName& folder, const word& startTime)
     number_(1),
     run_(1)
 {
-    require(folder_);
+    requireFolder(folder_);
 
     for (const fileName& start : readDir(folder, fileName::DIRECTORY))
     {
@@ -137,31 +138,6 @@ void Foam::tableFolder::flush(OFstream& table)
         FatalErrorInFunction
             << "Cannot write to " << table.name() << ": "
             << (errno ? std::strerror(errno) : "is the disk full?")
-            << exit(FatalError);
-    }
-}
-
-
-void Foam::tableFolder::require(const fileName& folder)
-{
-    if (folder.empty() || folder == "/" || isDir(folder))
-    {
-        return;
-    }
-
-    // The one that is in the way may be further up
-    require(folder.path());
-
-    if (type(folder, false) == fileName::LINK && !exists(folder, false))
-    {
-        FatalErrorInFunction
-            << folder << " is a link to a folder that is not there: make that"
-            << " folder, or remove the link" << exit(FatalError);
-    }
-    if (exists(folder, false))
-    {
-        FatalErrorInFunction
-            << folder << " is a file where a folder has to be"
             << exit(FatalError);
     }
 }

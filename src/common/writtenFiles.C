@@ -87,6 +87,31 @@ bool isWhole(const Foam::fileName& file)
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
+void Foam::requireFolder(const fileName& folder)
+{
+    if (folder.empty() || folder == "/" || isDir(folder))
+    {
+        return;
+    }
+
+    // The one that is in the way may be further up
+    requireFolder(folder.path());
+
+    if (type(folder, false) == fileName::LINK && !exists(folder, false))
+    {
+        FatalErrorInFunction
+            << folder << " is a link to a folder that is not there: make that"
+            << " folder, or remove the link" << exit(FatalError);
+    }
+    if (exists(folder, false))
+    {
+        FatalErrorInFunction
+            << folder << " is a file where a folder has to be"
+            << exit(FatalError);
+    }
+}
+
+
 void Foam::writing(const std::function<void()>& write)
 {
     const bool before = FatalIOError.throwExceptions(true);

@@ -29,7 +29,6 @@ Description
 #include "profiling.H"
 #include "progressReport.H"
 #include "soundField.H"
-#include "tableFolder.H"
 #include "Time.H"
 #include "timeSelector.H"
 #include "versionLine.H"
@@ -56,6 +55,28 @@ void requireFixedStep(const Time& runTime)
             << " throughout: a part of the period of the sound. Set"
             << " adjustTimeStep off, and deltaT"
             << exit(FatalIOError);
+    }
+}
+
+
+//- Warn of times of another run that are later than the start of this one
+void warnOfLaterTimes(const Time& runTime)
+{
+    const instantList times = runTime.times();
+    const scalar next = runTime.value() + 0.5*runTime.deltaTValue();
+
+    for (const instant& time : times)
+    {
+        if (time.name() != runTime.constant() && time.value() > next)
+        {
+            WarningInFunction
+                << "The run starts at time " << runTime.timeName() << ", but"
+                << " there are later times already, from " << time.name()
+                << " to " << times.last().name() << ". Those that this run does"
+                << " not write again are of another one: remove them, or they"
+                << " will be taken for its results" << endl;
+            return;
+        }
     }
 }
 

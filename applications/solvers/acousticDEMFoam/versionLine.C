@@ -5,12 +5,6 @@
 
 #include "versionLine.H"
 
-#if __has_include("acousticDEMVersion.H")
-    #include "acousticDEMVersion.H"
-#else
-    #define ACOUSTICDEM_VERSION "of unknown version: run Allwmake"
-#endif
-
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
 const char* Foam::versionLine()

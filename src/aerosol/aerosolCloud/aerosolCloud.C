@@ -12,6 +12,7 @@
 #include "simplifiedFvMesh.H"
 #include "Time.H"
 #include "vectorEntry.H"
+#include "writtenFiles.H"
 
 #include <algorithm>
 #include <iomanip>
@@ -795,6 +796,9 @@ void Foam::aerosol::aerosolCloud::begin()
     // The mesh of a -dry-run is not the one to go on with
     if (isNew_ && !isA<simplifiedFvMesh>(mesh_))
     {
+        requireFolder(time().timePath()/"lagrangian"/name());
+        requireFolder(time().timePath()/"uniform"/"lagrangian"/name());
+
         // ParaView finds a cloud only if it is there from the first time on
         write();
     }

@@ -10,6 +10,7 @@
 #include "soundLevel.H"
 #include "tableFolder.H"
 #include "volFields.H"
+#include "writtenFiles.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -418,7 +419,7 @@ bool Foam::functionObjects::soundPressureLevel::read(const dictionary& dict)
 
     if (Pstream::master() && writeToFile())
     {
-        tableFolder::require(baseFileDir());
+        requireFolder(baseFileDir());
     }
 
     // The state at the start belongs to the first period
@@ -447,6 +448,7 @@ bool Foam::functionObjects::soundPressureLevel::write()
     for (const word& name : fields_)
     {
         writeObject(name);
+        requireWritten(mesh_.time().timePath()/name);
     }
 
     return true;

@@ -95,7 +95,9 @@ def test_times_far_from_zero_have_enough_digits(box):
         assert times == pytest.approx(1.5e6 + 5e-6*np.arange(11), abs=1e-9)
 
 
-@pytest.mark.parametrize("link", ["postProcessing", "postProcessing/aerosol"])
+@pytest.mark.parametrize("link", [
+    "postProcessing", "postProcessing/aerosol", "0/lagrangian", "0/uniform"
+])
 def test_a_link_to_nowhere_is_named(box, link):
     short(box)
     (box.path/link).parent.mkdir(exist_ok=True)
@@ -147,6 +149,8 @@ def test_levels_far_from_zero(tmp_path):
         tmp_path/"case", 3,
         ("system/controlDict", "endTime .*",
          "endTime #eval{ 15000 + 3.0/1400 };"),
+        ("system/controlDict", "writeControl writeTime;",
+         "writeControl writeTime; writePrecision 6;"),
         ("system/controlDict", "startTime .*", "startTime 15000;"),
     )
     (case.path/"0").rename(case.path/"15000")
@@ -308,6 +312,14 @@ def test_the_end_is_written(box):
     box.control("endTime", "6e-5")
     assert "of time 3.5e-05" in flat(box.run(SOLVER))
     assert [round(float(t)/5e-6) for t in box.times()] == [0, 5, 7, 10, 12]
+
+
+def test_times_of_another_run_are_told(box):
+    short(box, 6, 2).run(SOLVER)
+    box.control("startFrom", "startTime")
+    box.control("endTime", "1e-5")
+    log = flat(box.run(SOLVER))
+    assert "later times already, from 1e-05 to 3e-05" in log
 
 
 def test_steps_that_are_to_be_adjusted_are_refused(box):
