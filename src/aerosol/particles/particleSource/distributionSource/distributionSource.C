@@ -31,7 +31,8 @@ namespace aerosol
 namespace
 {
 
-//- Measured: of the whole run at its largest, per particle
+//- An estimate, not a measurement: of the whole run at its largest, per
+//  particle
 constexpr double bytesPerParticle = 1000;
 
 } // End anonymous namespace
