@@ -1,0 +1,48 @@
+"""The figures of the manual are what their scripts draw."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[3]
+FIGURES = ROOT/"doc/figures"
+NAMES = sorted(
+    file.stem for file in FIGURES.glob("*.py")
+    if "def figure()" in file.read_text()
+)
+
+
+def draw(*arguments, status=0):
+    drawn = subprocess.run(
+        [sys.executable, "-B", FIGURES/"draw", *arguments],
+        capture_output=True, text=True, check=False,
+    )
+    assert drawn.returncode == status, drawn.stdout + drawn.stderr
+    return drawn.stdout + drawn.stderr
+
+
+def test_each_figure_has_its_script():
+    assert len(NAMES) > 5
+    assert sorted(file.stem for file in FIGURES.glob("*.svg")) == NAMES
+
+
+def test_one_command_draws_all_of_them(tmp_path):
+    folders = [tmp_path/"once", tmp_path/"again"]
+    for folder in folders:
+        folder.mkdir()
+        draw("--into", folder)
+    for name in NAMES:
+        one, other = ((folder/f"{name}.svg").read_text() for folder in folders)
+        assert one == other
+        assert len(one) < 150_000
+        assert "dc:date" not in one
+
+
+@pytest.mark.parametrize("arguments, message", [
+    (["--into", "/nowhere"], "there is no folder /nowhere"),
+    (["wake"], "there is no figure wake; there are: contact,"),
+])
+def test_a_mistake_is_named(arguments, message):
+    assert message in draw(*arguments, status=1)
