@@ -27,7 +27,8 @@ MODELS = {
         "drag": "type Stokes; slipCorrection none;",
     },
     "breakage": {
-        "timeStepping": "type eventDriven;", "aggregate": "type fractal; dimension 1.8;",
+        "timeStepping": "type eventDriven;",
+        "aggregate": "type fractal; dimension 1.8;",
         "turbulence": "type syntheticTurbulence; shearRate 3e3;",
         "breakage": "type shear; bond { type JKR; workOfAdhesion 1e-7; }",
     },

@@ -388,7 +388,8 @@ BAD = {
         "Unknown .* 'tolerence' .* tolerance",
     ),
     "negativeSeed": (
-        AEROSOL, r"\bseed [^;]*;", "seed -1;", "'seed' .* is -1, .* whole number, 0 or more",
+        AEROSOL, r"\bseed [^;]*;", "seed -1;",
+        "'seed' .* is -1, .* whole number, 0 or more",
     ),
     "typoInSeed": (AEROSOL, r"\bseed\b", "sed", "Unknown .* 'sed' .* seed"),
     "typoInSound": (
@@ -515,7 +516,8 @@ BAD = {
         CONTROL, r"deltaT +#[^}]*\}", "deltaT -1e-6", "'deltaT' is -1e-06 s",
     ),
     "shortStep": (
-        CONTROL, r"deltaT +#[^}]*\}", "deltaT 1e-6; startTime 1e12; startFrom startTime",
+        CONTROL, r"deltaT +#[^}]*\}",
+        "deltaT 1e-6; startTime 1e12; startFrom startTime",
         "too short",
     ),
 

@@ -112,7 +112,8 @@ def test_a_wave_has_these(box, tmp_path, meshed, more):
 
 def test_reports_as_often_as_is_asked_for(box):
     box.replace(
-        "system/controlDict", "runTimeModifiable", "reportInterval 0;\n\nrunTimeModifiable"
+        "system/controlDict", "runTimeModifiable",
+        "reportInterval 0;\n\nrunTimeModifiable",
     )
     log = run(box, steps=8)[1]
     assert len(re.findall(r"(?m)^Time = ", log)) == 8

@@ -2,6 +2,7 @@
 
 import os
 import re
+import shutil
 import subprocess
 from pathlib import Path
 
@@ -11,12 +12,47 @@ ROOT = Path(__file__).resolve().parents[3]
 TUTORIALS = sorted(path.parent for path in ROOT.glob("tutorials/*/system"))
 
 
-def test_format():
+def copyOfTools(folder):
+    """A repository with nothing but the tools that check it."""
+    for name in ("src", "applications", "tests", "tutorials", ".ci", "doc", "bin"):
+        (folder/name).mkdir()
+    for name in ("Allwmake", "Allwclean", ".shellcheckrc", ".flake8", "bin/format",
+                 "bin/lint", "bin/environment"):
+        shutil.copy(ROOT/name, folder/name)
+    return folder
+
+
+def lint(folder):
     check = subprocess.run(
-        [ROOT/"bin/format", "--check"],
-        capture_output=True, text=True, check=False,
+        [folder/"bin/lint"], capture_output=True, text=True, check=False,
     )
-    assert check.returncode == 0, check.stdout + check.stderr
+    return check.returncode, check.stdout + check.stderr
+
+
+def test_files_are_as_bin_lint_wants_them():
+    status, report = lint(ROOT)
+    assert status == 0, report
+
+
+def test_lint_finds_faults_in_every_kind_of_file(tmp_path):
+    folder = copyOfTools(tmp_path)
+    status, report = lint(folder)
+    assert status == 0, report
+    for name, text in {
+        "src/a.C": "int a; \n",
+        "tests/a": "#!/bin/sh\nrm $1\n",
+        "tutorials/a.py": "print(b)\n",
+        "bin/a": "#!/usr/bin/env python3\nimport os\n",
+    }.items():
+        (folder/name).write_text(text)
+        (folder/name).chmod(0o755)
+    status, report = lint(folder)
+    assert status == 1
+    for complaint in (
+        "src/a.C:1: tab, trailing blank", "tests/a:2:4: note: Double quote",
+        "tutorials/a.py:1:7: F821 undefined name", "bin/a:2:1: F401 'os'",
+    ):
+        assert complaint in report
 
 
 @pytest.mark.parametrize("tutorial", TUTORIALS, ids=lambda f: f.name)
@@ -46,7 +82,7 @@ def test_tutorial_has_no_results(tutorial):
 
 @pytest.mark.parametrize(
     "tool",
-    ["format", "plotAgglomeration", "renderCloud", "collisionKernels", "setup"]
+    ["format", "lint", "plotAgglomeration", "renderCloud", "collisionKernels", "setup"]
 )
 def test_tools_explain_themselves(tool):
     helped = subprocess.run(
@@ -83,3 +119,22 @@ def test_scripts_do_not_use_CDPATH():
         assert re.search(
             r"(?m)^( *CDPATH= (builtin )?cd |unset CDPATH)", texts[path]
         ), path
+
+
+def test_citation_is_complete_and_of_the_last_release():
+    """The fields of the Citation File Format 1.2.0, as far as they are used."""
+    text = (ROOT/"CITATION.cff").read_text()
+    fields = set(re.findall(r"(?m)^([a-z-]+):", text))
+    required = {"cff-version", "message", "title", "authors"}
+    optional = {
+        "abstract", "commit", "contact", "date-released", "doi", "identifiers",
+        "keywords", "license", "license-url", "preferred-citation", "references",
+        "repository", "repository-artifact", "repository-code", "type", "url",
+        "version",
+    }
+    assert required <= fields <= required | optional
+    version = re.search(r"(?m)^version: (\S+)$", text)[1]
+    date = re.search(r"(?m)^date-released: (\d{4}-\d\d-\d\d)$", text)[1]
+    changes = (ROOT/"CHANGELOG.md").read_text()
+    headings = re.findall(r"(?m)^## (.*)$", changes)
+    assert headings[:2] == ["[Unreleased]", f"[{version}] - {date}"]

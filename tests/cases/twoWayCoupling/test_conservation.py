@@ -30,9 +30,10 @@ def tube(directory, particles, box, blocks, walls, more=""):
     """A short tube along x, in three dimensions, with gas at rest."""
     case = AerosolCase(directory, ROOT/"tutorials/aerosolAttenuation")
     case.particles([(x, d) for x, d, _ in particles], DENSITY)
-    for i, (_, _, v) in enumerate(particles):
+    place = None
+    for _, _, v in particles:
         text = (case.path/"constant/aerosolProperties").read_text()
-        place = text.index("; }", text.index("particles\n(") if not i else place)
+        place = text.index("; }", place or text.index("particles\n("))
         text = f"{text[:place]}; velocity ({v[0]} {v[1]} {v[2]}){text[place:]}"
         place = text.index("; }", place) + 3
         (case.path/"constant/aerosolProperties").write_text(text)

@@ -3,9 +3,9 @@
 Two spheres in a gas that swings alike everywhere, each in the wake of the other,
 by the formula of the solver: the flow of Oseen by its slip against the
 undisturbed gas (src/aerosol/motion/wake/OseenWake), and no farther than by
-default, where it fades out. All is relative to the gas. Runge and Kutta's fourth order, in steps
-that are short against relaxation times, period and time to contact; contacts
-are those of the chords.
+default, where it fades out. All is relative to the gas. Runge and Kutta's fourth
+order, in steps that are short against relaxation times, period and time to
+contact; contacts are those of the chords.
 
   stroke   from one end of the relative swing to the other, half a period, among
            small ones at random: share of the volume 2A pi R^2 that is captured
