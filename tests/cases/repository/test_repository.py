@@ -11,6 +11,8 @@ import pytest
 ROOT = Path(__file__).resolve().parents[3]
 TUTORIALS = sorted(path.parent for path in ROOT.glob("tutorials/*/system"))
 
+HEADER = "src/functionObjects/soundPressureLevel/soundPressureLevel.H"
+
 
 def copyOfTools(folder):
     """A repository with nothing but the tools that check it."""
@@ -55,6 +57,37 @@ def test_lint_finds_faults_in_every_kind_of_file(tmp_path):
         assert complaint in report
 
 
+def test_manual_refuses_links_to_nowhere(tmp_path):
+    folder = copyOfTools(tmp_path)
+    shutil.copytree(ROOT/"doc/site", folder/"doc/site")
+    for name in ("CITATION.cff", "bin/manual"):
+        shutil.copy(ROOT/name, folder/name)
+    (folder/"src/thing.C").write_text("")
+    (folder/"src/thing.H").write_text((ROOT/HEADER).read_text())
+    (folder/"doc/other.md").write_text("# Other\n\n## Place\n")
+
+    def manual(text):
+        (folder/"doc/index.md").write_text(f"# Title\n\n## Map\n\n{text}\n")
+        made = subprocess.run(
+            [folder/"bin/manual"], capture_output=True, text=True, check=False,
+        )
+        return made.returncode, made.stdout + made.stderr
+
+    good = "[1](other.md) [2](other.md#place) [3](../src/thing.C) [4](../src/thing.H)"
+    status, report = manual(good)
+    assert status == 0, report
+    site = folder/"doc/build/site"
+    assert (site/"_static/katex/katex.min.js").exists()
+    page = (site/"doc/index.html").read_text()
+    header = re.search(r'href="\.\./(code/\S+\.html)">4</a>', page)[1]
+    assert (site/header).exists()
+
+    status, report = manual(f"{good} [5](no.md) [6](other.md#no) [7](../src/no.H)")
+    assert status == 1
+    for target in ("no.md", "other.md#no", "../src/no.H"):
+        assert f"reference target not found: {target}" in report
+
+
 @pytest.mark.parametrize("tutorial", TUTORIALS, ids=lambda f: f.name)
 def test_tutorial_has_a_short_Allrun(tutorial):
     allrun = tutorial/"Allrun"
@@ -82,7 +115,10 @@ def test_tutorial_has_no_results(tutorial):
 
 @pytest.mark.parametrize(
     "tool",
-    ["format", "lint", "plotAgglomeration", "renderCloud", "collisionKernels", "setup"]
+    [
+        "format", "lint", "manual", "plotAgglomeration", "renderCloud",
+        "collisionKernels", "setup",
+    ]
 )
 def test_tools_explain_themselves(tool):
     helped = subprocess.run(
