@@ -1,4 +1,4 @@
-"""Air of 20 degrees, fly ash, and a particle in sound (doc/method.md)."""
+"""Air of 20 degrees, fly ash, and a particle in sound (doc/theory)."""
 
 import numpy as np
 

@@ -1,6 +1,6 @@
 """The wake of an oscillating particle, quasi-steady and with its history.
 
-`history` is the integral for a moving point force (doc/method.md) by quadrature,
+`history` is the integral for a moving point force (doc/theory) by quadrature,
 `memory` its expansion to second order in the displacement, `Oseen` the wake of a
 slip that has always been that of this moment.
 """

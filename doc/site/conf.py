@@ -71,6 +71,14 @@ def toctrees(text):
     return "\n".join(trees) + "\n"
 
 
+def readme(page, target):
+    """A folder that has a README as that page, as a site that shows it does."""
+    path = page.parent/target
+    if "://" not in target and path.is_dir() and (path/"README.md").exists():
+        return f"{target.rstrip('/')}/README.md"
+    return target
+
+
 def link(page, text, target):
     """The link, if it leads to a page; else to where the site has the file."""
     path = target.partition("#")[0]
@@ -81,16 +89,19 @@ def link(page, text, target):
         return None  # Sphinx names it
     if file.suffix == ".md" and file != ROOT/"README.md":
         return None
-    if file in HEADERS:
+    pages = {**HEADERS, ROOT/"src": "annotated"}
+    if file in pages:
         up = "../"*len(page.parent.relative_to(ROOT).parts)
-        return f'<a href="{up}code/{HEADERS[file]}.html">{text}</a>'
+        return f'<a href="{up}code/{pages[file]}.html">{text}</a>'
     return text  # a source or a folder, which the site does not have
 
 
 def sources(app, docname, source):
     """What of the Markdown is for a page that shows the repository."""
     page = Path(app.env.doc2path(docname))
-    text = source[0]
+    text = LINK.sub(
+        lambda match: f"[{match[1]}]({readme(page, match[2])})", source[0]
+    )
     trees = toctrees(text) if docname in ("doc/index", "doc/tutorials") else ""
     source[0] = LINK.sub(
         lambda match: link(page, *match.groups()) or match[0], text
