@@ -62,6 +62,23 @@ def test_cases_that_the_manual_names_exist():
     assert not missing
 
 
+def test_entries_that_models_read_are_in_the_reference():
+    """A model names all of its entries to requireOnly."""
+    lists = [
+        re.findall(r'"(\w+)"', entries)
+        for file in ROOT.glob("src/**/*.C")
+        for entries in re.findall(
+            r"requireOnly\s*\([^{};]*\{([^{}]*)\}", file.read_text()
+        )
+    ]
+    entries = {entry for names in lists for entry in names}
+    assert len(entries) > 60
+    reference = " ".join(
+        text for page, text in PAGES.items() if page.parent.name == "reference"
+    )
+    assert not entries - set(re.findall(r"`(\w+)`", reference))
+
+
 def test_programs_that_the_manual_names_exist():
     named = commands(
         r"(?<![\w/])((?:bin|tests|tutorials|doc)/[\w/.]*\w)(?![\w*])"
