@@ -11,6 +11,7 @@
 
 #include <cfenv>
 #include <csignal>
+#include <cstdlib>
 #include <exception>
 #include <new>
 
@@ -114,7 +115,7 @@ void endByNumber(int)
 
 void Foam::runGuard::begin()
 {
-    if (env("FOAM_ABORT"))
+    if (std::getenv("FOAM_ABORT"))
     {
         return;
     }
