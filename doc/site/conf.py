@@ -55,18 +55,19 @@ LINK = re.compile(r"(?<!!)\[((?:[^][]|\[[^][]*\])*)\]\(([^)\s]+)\)")
 
 
 def toctrees(text):
-    """Hidden trees of the pages that a page links to, one for each section."""
+    """Hidden trees of the pages that a page links to, one for each section; pages
+    have the names that the links give to them."""
     trees = []
     for section in re.split(r"(?m)^## ", text)[1:]:
         caption, _, body = section.partition("\n")
-        pages = [
-            target for _, target in LINK.findall(body)
+        pages = {
+            target: text for text, target in LINK.findall(body)
             if target.endswith(".md") and "://" not in target
-        ]
+        }
         if pages:
             trees += [
                 "", "```{toctree}", ":hidden:", f":caption: {caption}", "",
-                *dict.fromkeys(pages), "```",
+                *(f"{text} <{target}>" for target, text in pages.items()), "```",
             ]
     return "\n".join(trees) + "\n"
 
