@@ -90,7 +90,7 @@ def link(page, text, target):
         return None  # Sphinx names it
     if file.suffix == ".md" and file != ROOT/"README.md":
         return None
-    pages = {**HEADERS, ROOT/"src": "annotated"}
+    pages = {**HEADERS, ROOT/"src": "index"}
     if file in pages:
         up = "../"*len(page.parent.relative_to(ROOT).parts)
         return f'<a href="{up}code/{pages[file]}.html">{text}</a>'
