@@ -6,10 +6,16 @@
 #include "restartableTime.H"
 
 #include "argList.H"
+#include "foamVersion.H"
 #include "IOdictionary.H"
 #include "Pstream.H"
 #include "PstreamReduceOps.H"
 #include "writtenFiles.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::scalar Foam::restartableTime::nameTolerance = 0.1;
+
 
 // * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
 
@@ -54,6 +60,12 @@ const Foam::word& Foam::restartableTime::requireSameLatest
 
     if (torn)
     {
+        // The digits of names are not read yet
+        wordList names(Pstream::nProcs());
+        names[Pstream::myProcNo()] = latest == last ? name : word::null;
+        gatherToAll(names);
+        stableSort(names);
+
         const dictionary control
         (
             fileHandler().NewIFstream
@@ -68,7 +80,7 @@ const Foam::word& Foam::restartableTime::requireSameLatest
          == "latestTime"
         )
         {
-            refuse(last, args.globalPath()/"processor*"/Time::timeName(last));
+            refuse(last, args.globalPath()/"processor*"/names.last());
         }
     }
 
@@ -147,6 +159,38 @@ void Foam::restartableTime::requireWhole() const
 }
 
 
+void Foam::restartableTime::findFolder()
+{
+    if
+    (
+        returnReduce
+        (
+            !fileHandler().filePath(timePath()).empty(),
+            orOp<bool>()
+        )
+    )
+    {
+        return;
+    }
+
+    // OpenFOAM tries more digits than timePrecision, but not always as many as
+    // the name has
+    const scalar step = deltaTValue();
+    const instantList times = this->times();
+    const label i = findClosestTimeIndex(times, value(), constant());
+
+    if (i < 0 || mag(times[i].value() - value()) > nameTolerance*step)
+    {
+        return;
+    }
+
+    // With the index of the step, but not with its length
+    setTime(times[i], timeIndex());
+    deltaT_ = step;
+    startTimeIndex_ = timeIndex();
+}
+
+
 void Foam::restartableTime::restoreValue()
 {
     const IOdictionary written
@@ -163,16 +207,40 @@ void Foam::restartableTime::restoreValue()
         )
     );
 
-    const scalar exact =
-        timeToUserTime(value()) == value()
-      ? written.getOrDefault<scalar>("value", value())
-      : value();
-
-    // Of a folder that was renamed, or copied, the name counts
-    if (exact != value() && timeName(exact) == timeName())
+    if (timeToUserTime(value()) != value())
     {
-        setTime(exact, timeIndex());
+        return;
     }
+
+    const scalar exact = written.getOrDefault<scalar>("value", value());
+    const scalar step = written.getOrDefault<scalar>("deltaT", deltaTValue());
+
+    // Of a folder that was renamed, or copied, the name counts. The step is
+    // written with few digits.
+    if (mag(exact - value()) < 1.01*nameTolerance*step)
+    {
+        value() = exact;
+    }
+}
+
+
+void Foam::restartableTime::nameTime()
+{
+    const scalar exact = timeToUserTime(value());
+
+    precision_ = controlDict().getOrDefault("timePrecision", 6);
+
+    while
+    (
+        precision_ < maxPrecision_
+     && mag(instant(word(timeName(exact))).value() - exact)
+      > nameTolerance*deltaTValue()
+    )
+    {
+        ++precision_;
+    }
+
+    setTime(value(), timeIndex());
 }
 
 
@@ -211,12 +279,26 @@ Foam::restartableTime::restartableTime
 :
     Time(requireSameLatest(controlDict, args), args)
 {
+    findFolder();
     requireWhole();
     restoreValue();
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::Time& Foam::restartableTime::operator++()
+{
+    // OpenFOAM adds digits whenever a name differs from the time by more than
+    // the last digit, for the rest of the run, and says so. It has nothing to
+    // add to all digits.
+    precision_ = maxPrecision_;
+    Time::operator++();
+    nameTime();
+
+    return *this;
+}
+
 
 void Foam::restartableTime::writeWhole()
 {

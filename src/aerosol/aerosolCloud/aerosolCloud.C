@@ -366,26 +366,6 @@ void Foam::aerosol::aerosolCloud::requireNoneBefore() const
         ).empty();
     };
 
-    // OpenFOAM tries the name of a time with more digits, but not always with
-    // as many as it had given to it
-    for (const instant& time : runTime.times())
-    {
-        if
-        (
-            mag(time.value() - runTime.value()) < 1e-3*runTime.deltaTValue()
-         && time.name() != runTime.timeName()
-         && has(time)
-        )
-        {
-            FatalErrorInFunction
-                << "OpenFOAM takes the time " << time.name() << " for "
-                << runTime.timeName() << " and does not find its particles."
-                << " To continue, set timePrecision 16 in "
-                << runTime.systemPath()/"controlDict"
-                << exit(FatalError);
-        }
-    }
-
     for (const instant& time : runTime.times())
     {
         if
