@@ -65,6 +65,12 @@ void requireFixedStep(const Time& runTime)
 //- Warn of times of another run that are later than the start of this one
 void warnOfLaterTimes(const Time& runTime)
 {
+    // The times are those to be looked at
+    if (functionObject::postProcess)
+    {
+        return;
+    }
+
     const instantList times = runTime.times();
     const scalar next = runTime.value() + 0.5*runTime.deltaTValue();
 

@@ -48,6 +48,27 @@ bool Foam::functionObjects::soundPressureLevel::add()
             << " incompressible solver has no sound" << exit(FatalError);
     }
 
+    const scalar t = mesh_.time().value();
+
+    if (postProcess && p_ && !isResolved(t - lastTime_))
+    {
+        if (!warned_)
+        {
+            WarningInFunction
+                << "soundPressureLevel " << name() << " has nothing to do: the"
+                << " times that are read are " << t - lastTime_ << " s apart,"
+                << " but it needs those of whole periods of " << 1/frequency_
+                << " s, at least " << 2*nHarmonics_ + 2 << " in each. Put it"
+                << " into the functions of system/controlDict before the run"
+                << endl;
+        }
+        warned_ = true;
+        p_.reset();
+
+        return false;
+    }
+    lastTime_ = t;
+
     if (!p_)
     {
         p_.reset(new acoustics::harmonicSum<scalar>(frequency_, nHarmonics_));
@@ -64,7 +85,6 @@ bool Foam::functionObjects::soundPressureLevel::add()
         );
     }
 
-    const scalar t = mesh_.time().value();
     const scalarField fluctuation(p->primitiveField() - reference_);
 
     U_->add(t, U->primitiveField());
@@ -72,6 +92,15 @@ bool Foam::functionObjects::soundPressureLevel::add()
     pSquared_->add(t, sqr(fluctuation));
 
     return p_->add(t, fluctuation);
+}
+
+
+bool Foam::functionObjects::soundPressureLevel::isResolved
+(
+    const scalar step
+) const
+{
+    return step > 0 && step*frequency_*(2*nHarmonics_ + 1) < 1;
 }
 
 
@@ -478,6 +507,7 @@ Foam::functionObjects::soundPressureLevel::soundPressureLevel
     nHarmonics_(0),
     writeCoefficients_(false),
     warned_(false),
+    lastTime_(0),
     reference_(0)
 {
     read(dict);
@@ -550,10 +580,28 @@ bool Foam::functionObjects::soundPressureLevel::execute()
             << "'. Of fields there are "
             << mesh_.sortedNames(volScalarField::typeName) << " and "
             << mesh_.sortedNames(volVectorField::typeName)
-            << "; a sound that is a formula, or is replayed, has no pressure"
+            << "; "
+            << (
+                   postProcess
+                 ? "postProcess reads those that it is told: -fields '(p U)'"
+                 : "a sound that is a formula, or is replayed, has no pressure"
+               )
             << endl;
 
         warned_ = true;
+    }
+
+    return true;
+}
+
+
+bool Foam::functionObjects::soundPressureLevel::end()
+{
+    if (p_ && fields_.empty() && !warned_)
+    {
+        WarningInFunction
+            << "soundPressureLevel " << name() << " has no result: it has seen"
+            << " no whole period of " << 1/frequency_ << " s" << endl;
     }
 
     return true;

@@ -5,6 +5,7 @@ loses 0.005 % per period.
 """
 
 import re
+import shutil
 import sys
 from pathlib import Path
 
@@ -136,6 +137,39 @@ def test_writes_fields(tube):
     )
     for name in ("pMean", "pPhase", "UAmp1", "UMean", "UCos1", "USin2"):
         assert (time/name).exists(), name
+
+
+@pytest.mark.parametrize("command, message", [
+    # A level needs the steps of a run; other function objects go on
+    (("acousticDEMFoam", "-postProcess"), "times that are read are"),
+    (("acousticDEMFoam", "-postProcess", "-latestTime"), "no whole period"),
+    (("postProcess",), "-fields '(p U)'"),
+    (("postProcess", "-fields", "(p U)"), "times that are read are"),
+    (("acousticDEMFoam", "-postProcess", "-func", "mag(U)"), ""),
+    (("acousticDEMFoam", "-dry-run"), ""),
+])
+def test_what_cannot_be_done_afterwards_says_so(tmp_path, tube, command, message):
+    case = FoamCase.__new__(FoamCase)
+    case.path = tmp_path/"case"
+    shutil.copytree(tube.path, case.path, ignore=shutil.ignore_patterns("log.*"))
+    before = (case.path/"postProcessing/level/0/soundPressureLevel.dat").read_bytes()
+
+    log = " ".join(case.run(*command).split())
+    assert message in log and "FATAL" not in log
+    assert log.count("soundPressureLevel level has no") == (1 if message else 0)
+    assert "there are later times already" not in log
+    assert log.endswith("End")
+
+    tables = [file.read_bytes() for file in case.path.glob("postProcessing/level/*/*")]
+    assert tables == [before]
+    if "mag(U)" in command:
+        assert (case.path/times_of(case)[-1]/"mag(U)").is_file()
+
+
+def times_of(case):
+    return sorted(
+        (p.name for p in case.path.glob("[0-9]*") if p.name != "0.orig"), key=float
+    )
 
 
 def test_takes_any_step(tmp_path, tube):
