@@ -229,8 +229,6 @@ Foam::acoustics::meshSound::meshSound
 {
     gas_ = undisturbedGas();
 
-    Info<< "    gas: " << gas_ << endl;
-
     checkBoundaries(dict);
 
     if (dict.found("SPL") || dict.found("velocityAmplitude"))

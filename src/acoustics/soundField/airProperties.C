@@ -111,9 +111,9 @@ Foam::Ostream& Foam::acoustics::operator<<
     const gasProperties& gas
 )
 {
-    os  << "rho " << gas.rho << " kg/m3, mu " << gas.mu << " Pa s, T "
-        << gas.T << " K, c " << gas.c << " m/s, mean free path "
-        << gas.meanFreePath << " m";
+    os  << "density " << gas.rho << " kg/m3, viscosity " << gas.mu
+        << " Pa s, temperature " << gas.T << " K, sound speed " << gas.c
+        << " m/s, mean free path " << gas.meanFreePath << " m";
 
     return os;
 }

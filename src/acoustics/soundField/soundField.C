@@ -5,6 +5,7 @@
 
 #include "soundField.H"
 
+#include "airProperties.H"
 #include "describe.H"
 #include "fvMesh.H"
 #include "checkedDictionary.H"
@@ -68,11 +69,7 @@ Foam::autoPtr<Foam::acoustics::soundField> Foam::acoustics::soundField::New
         )
     );
 
-    const gasProperties& gas = sound->gas();
-
-    Info<< "Gas: density " << gas.rho << " kg/m3, viscosity " << gas.mu
-        << " Pa s, " << gas.T << " K, sound speed " << gas.c
-        << " m/s, mean free path " << gas.meanFreePath << " m" << nl << endl;
+    Info<< "Gas: " << sound->gas() << nl << endl;
 
     Sout.precision(precision);
 

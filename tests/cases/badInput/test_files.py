@@ -112,9 +112,10 @@ def test_gas_by_its_temperature(box):
     box.replace(ACOUSTIC, "SPL", "gas { T 423.15; } SPL")
     log = box.run(SOLVER, "-dry-run")
     gas = re.search(
-        r"gas: rho (\S+) kg/m3, mu (\S+) Pa s, T 423.15 K, c (\S+) m/s,"
-        r" mean free path (\S+) m", log
+        r"\nGas: density (\S+) kg/m3, viscosity (\S+) Pa s, temperature 423.15 K,"
+        r" sound speed (\S+) m/s, mean free path (\S+) m", log
     )
+    assert log.lower().count("gas: ") == 1
     assert [float(x) for x in gas.groups()] == pytest.approx(
         [0.834, 2.38e-5, 412, 105e-9], rel=0.02
     )

@@ -5,7 +5,6 @@
 
 #include "analyticSound.H"
 
-#include "airProperties.H"
 #include "checkedDictionary.H"
 #include "vectorEntry.H"
 
@@ -19,9 +18,7 @@ Foam::acoustics::analyticSound::analyticSound
 :
     soundField(frequency),
     gas_(gasProperties::read(optionalDict(dict, "gas")))
-{
-    Info<< "    gas: " << gas_ << endl;
-}
+{}
 
 
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
