@@ -1,5 +1,6 @@
 """The commands that the manual gives, against what there is."""
 
+import fnmatch
 import os
 import re
 import subprocess
@@ -28,16 +29,22 @@ def test_unit_tests_that_the_manual_names_exist():
         pytest.skip("no unit tests: ./Allwmake -j --tests")
     named = commands(r"`(?:unit|full) '([^']*)'`")
     assert len(named) > 50
-    missing = []
-    for page, which in named:
-        for part in which.split(":"):
-            listed = subprocess.run(
-                [tests, "--gtest_list_tests", f"--gtest_filter={part}"],
-                capture_output=True, text=True, check=True,
-            )
-            if not re.search(r"(?m)^  \S", listed.stdout):
-                missing.append(f"{page}: {part}")
-    assert not missing
+    listed = subprocess.run(
+        [tests, "--gtest_list_tests"], capture_output=True, text=True, check=True,
+    )
+    suite = ""
+    names = []
+    for line in listed.stdout.splitlines():
+        word = line.partition("#")[0].strip()
+        if line.startswith(" "):
+            names.append(suite + word)
+        else:
+            suite = word
+    assert len(names) > 300
+    assert not [
+        f"{page}: {part}" for page, which in named for part in which.split(":")
+        if not fnmatch.filter(names, part)
+    ]
 
 
 def test_cases_that_the_manual_names_exist():
