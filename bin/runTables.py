@@ -1,6 +1,7 @@
 """Reads the tables that runs leave under postProcessing of a case.
 
-To be imported first: it finds a Python that has numpy and matplotlib.
+To be imported first: it finds a Python that has numpy and matplotlib, and sets
+how all plots look.
 
 Each run has tables of its own, postProcessing/<cloud>/<start>/<name>.dat, or
 <name>_2.dat and so on where there was one from the same start before. Their
@@ -13,6 +14,7 @@ run goes on, is left out with a note. Whatever else is wrong ends the program
 with one line that names the file.
 """
 
+import io
 import os
 import re
 import sys
@@ -21,6 +23,7 @@ from pathlib import Path
 try:
     import matplotlib
     import numpy as np
+    from PIL import Image  # matplotlib needs it, too
 except ImportError as error:
     # bin/environment has looked for a python3 that has them: try it, once
     python = os.environ.pop("ACOUSTICDEM_PYTHON", "")
@@ -31,6 +34,22 @@ except ImportError as error:
 
 matplotlib.use("Agg")
 
+# Okabe and Ito's colours, which the colour-blind tell apart: C0 to C7
+COLOURS = ["#0072B2", "#D55E00", "#009E73", "#E69F00", "#56B4E9", "#CC79A7",
+           "#808080", "#000000"]
+
+matplotlib.rcParams.update({
+    "axes.prop_cycle": matplotlib.cycler(color=COLOURS),
+    "axes.grid": True,
+    "axes.titlesize": 10,
+    "figure.titlesize": 10,
+    "font.size": 10,
+    "grid.alpha": 0.3,
+    "legend.fontsize": 9,
+    "legend.frameon": False,
+    "savefig.dpi": 130,
+})
+
 
 def fail(message):
     sys.exit(f"ERROR: {message}")
@@ -38,6 +57,19 @@ def fail(message):
 
 def note(message):
     print(f"NOTE: {message}", file=sys.stderr)
+
+
+def save(figure, target):
+    """Writes a figure as a PNG, of few colours to be small, and says where."""
+    picture = io.BytesIO()
+    figure.savefig(picture, format="png")
+    try:
+        Image.open(picture).convert("RGB").quantize(
+            256, dither=0  # none
+        ).save(target, format="png", optimize=True)
+    except OSError as error:
+        fail(f"{target}: {error.strerror}")
+    print(f"Wrote {target}")
 
 
 def is_time(name):

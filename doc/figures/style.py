@@ -3,12 +3,10 @@
 import matplotlib
 import matplotlib.pyplot as plt
 from matplotlib.patches import FancyBboxPatch
+from runTables import COLOURS
 
-# Okabe and Ito's colours: told apart by the colour-blind, too
-BLUE, RED, GREEN, ORANGE, SKY, PINK = (
-    "#0072B2", "#D55E00", "#009E73", "#E69F00", "#56B4E9", "#CC79A7",
-)
-GREY, PALE, DARK = "#808080", "#e8e8e8", "#303030"
+BLUE, RED, GREEN, ORANGE, SKY, PINK, GREY, _ = COLOURS
+PALE, DARK = "#e8e8e8", "#303030"
 
 WIDTH = 6.4  # inches, of every figure: 10 points are 15 pixels of 700
 SMALL = 9.5  # points, the smallest font

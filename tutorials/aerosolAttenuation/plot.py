@@ -122,7 +122,9 @@ def main():
 
     s = np.logspace(-1.3, 1.3, 100)
     exact = np.array([frequencies(w0, m, x/w0.real)[0] for x in s])
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9, 4))
+    figure, (left, right) = plt.subplots(
+        1, 2, figsize=(7, 3.6), layout="constrained"
+    )
     for axes, theory, computed, label in (
         (left, 100*2*np.pi*(w0.imag - exact.imag)/w0.real, rows[1],
          "amplitude lost per period [%]"),
@@ -131,14 +133,12 @@ def main():
     ):
         axes.semilogx(s, theory, color="0.6", label="theory")
         axes.semilogx(rows[0], computed, "o", color="C0", label="computed")
-        axes.set_xlabel(r"$\omega\tau$")
+        axes.set_xlabel(r"$\omega\tau$, frequency by relaxation time")
         axes.set_ylabel(label)
-        axes.grid(alpha=0.3)
-    left.legend(frameon=False)
+        axes.xaxis.set_major_formatter("{x:g}")
+    left.legend()
     figure.suptitle(f"Sound in an aerosol of {m:g} times the mass of the gas")
-    figure.tight_layout()
-    figure.savefig(HERE/"aerosolAttenuation.png", dpi=150)
-    print(f"Wrote {HERE/'aerosolAttenuation.png'}")
+    runTables.save(figure, HERE/"aerosolAttenuation.png")
 
 
 if __name__ == "__main__":

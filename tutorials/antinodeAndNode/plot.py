@@ -32,35 +32,34 @@ tables = {
 }
 u0 = np.sqrt(2)*20e-6*10**(NUMBER["SPL"]/20)/(1.204*NUMBER["soundSpeed"])
 
-figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4))
+figure, (top, bottom) = plt.subplots(
+    2, 1, figsize=(7, 6.4), layout="constrained"
+)
 print("place          [mm]   u0 [m/s]   particles   efficiency [%]")
 
 for number, (name, place) in enumerate(PLACES.items()):
     table = tables[name]
     efficiency = 100*table[:, 3]
     colour = plt.cm.viridis(0.95*number/(len(PLACES) - 1))
-    left.plot(1e3*table[:, 0], efficiency, color=colour, label=name)
-    right.plot(1e3*place*LENGTH, efficiency[-1], "o", color=colour, ms=8,
+    top.plot(1e3*table[:, 0], efficiency, color=colour, label=name)
+    bottom.plot(1e3*place*LENGTH, efficiency[-1], "o", color=colour, ms=8,
                clip_on=False)
     print(f"{name:13s}{1e3*place*LENGTH:6.1f}"
           f"{u0*abs(np.sin(2*np.pi*place)):11.3f}{table[-1, 1]:12.0f}"
           f"{efficiency[-1]:17.2f}")
 
-left.set_xlabel("time [ms]")
-left.set_ylabel("agglomeration efficiency [%]")
-left.legend(frameon=False)
+top.set_xlabel("time [ms]")
+top.set_ylabel("agglomeration efficiency [%]")
+top.legend()
 
 x = np.linspace(0.22, 0.53, 200)*LENGTH
-wave = right.twinx()
+wave = bottom.twinx()
 wave.plot(1e3*x, u0*np.abs(np.sin(2*np.pi*x/LENGTH)), color="0.6")
 wave.set_ylabel("velocity amplitude [m/s]", color="0.5")
 wave.set_ylim(bottom=0)
-right.set_xlabel("distance from the pressure antinode [mm]")
-right.set_ylabel("efficiency at the end [%]")
-right.set_ylim(bottom=0)
-for axes in (left, right):
-    axes.grid(alpha=0.3)
+bottom.set_xlabel("distance from the pressure antinode [mm]")
+bottom.set_ylabel("efficiency at the end [%]")
+bottom.set_ylim(bottom=0)
+wave.grid(False)
 
-figure.tight_layout()
-figure.savefig(case/"antinodeAndNode.png", dpi=150)
-print(f"Wrote {case/'antinodeAndNode.png'}")
+runTables.save(figure, case/"antinodeAndNode.png")

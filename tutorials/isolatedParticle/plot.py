@@ -93,11 +93,10 @@ def fit(t, v, d, omega=OMEGA):
 
 
 def plot(t, diameters, v, fits):
-    plt.rcParams.update({"font.size": 9, "axes.grid": True, "grid.alpha": 0.3})
-    figure = plt.figure(figsize=(10, 5.2), constrained_layout=True)
-    grid = figure.add_gridspec(2, 2, width_ratios=[2, 1])
-    motion = figure.add_subplot(grid[:, 0])
-    amplitude = figure.add_subplot(grid[0, 1])
+    figure = plt.figure(figsize=(7, 6.4), layout="constrained")
+    grid = figure.add_gridspec(2, 2, height_ratios=[1.5, 1])
+    motion = figure.add_subplot(grid[0, :])
+    amplitude = figure.add_subplot(grid[1, 0])
     lag = figure.add_subplot(grid[1, 1], sharex=amplitude)
     colours = plt.cm.viridis(np.linspace(0, 0.9, len(diameters)))
 
@@ -113,12 +112,12 @@ def plot(t, diameters, v, fits):
             label=f"{1e6*d:g} µm",
         )
     motion.set(
-        xlabel="time / periods", ylabel="velocity / velocity amplitude of gas",
+        xlabel="time [periods]", ylabel="velocity [amplitudes of the gas]",
         xlim=(0, FREQUENCY*t[-1]), ylim=(-1.08, 1.08),
     )
     motion.legend(
-        loc="upper center", bbox_to_anchor=(0.5, 1.1), frameon=False,
-        ncol=len(diameters) + 1, columnspacing=1.2, handletextpad=0.3,
+        loc="lower center", bbox_to_anchor=(0.5, 1), ncol=len(diameters) + 1,
+        columnspacing=1.2, handletextpad=0.3,
     )
 
     sizes = np.geomspace(0.5e-6, 30e-6, 300)
@@ -127,21 +126,19 @@ def plot(t, diameters, v, fits):
     for d, colour, (eta, phi) in zip(diameters, colours, fits):
         amplitude.plot(1e6*d, eta, "o", color=colour)
         lag.plot(1e6*d, np.degrees(phi), "o", color=colour)
-    amplitude.set_ylabel("entrainment")
+    amplitude.set(xlabel="diameter [µm]", ylabel="entrainment")
     lag.set(
-        xlabel="diameter / µm", ylabel="lag behind the gas / degrees",
+        xlabel="diameter [µm]", ylabel="lag behind the gas [degrees]",
         yticks=[0, 30, 60, 90], xticks=[1, 2, 5, 10, 20],
         xticklabels=["1", "2", "5", "10", "20"],
     )
     lag.minorticks_off()
-    amplitude.tick_params(labelbottom=False)
 
     figure.suptitle(
         f"Particles in a standing wave of {FREQUENCY:g} Hz and {LEVEL:g} dB, "
-        "from rest\nlines: analytic solution, symbols: acousticDEMFoam",
-        fontsize=10,
+        "from rest\nlines: analytic solution, symbols: acousticDEMFoam"
     )
-    figure.savefig(CASE/"isolatedParticle.png", dpi=150)
+    runTables.save(figure, CASE/"isolatedParticle.png")
 
 
 def main():
@@ -158,7 +155,6 @@ def main():
         )
 
     plot(t, diameters, v, fits)
-    print(f"Wrote {CASE/'isolatedParticle.png'}")
 
 
 if __name__ == "__main__":

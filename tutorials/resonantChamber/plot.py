@@ -44,9 +44,8 @@ def cells(name):
 x = 100*LENGTH*(np.arange(SHAPE[1]) + 0.5)/SHAPE[1]
 y = 100*WIDTH*(np.arange(SHAPE[0]) + 0.5)/SHAPE[0]
 
-plt.rcParams.update({"font.size": 9})
 figure, (top, middle, bottom) = plt.subplots(
-    3, 1, figsize=(7.5, 8), layout="constrained",
+    3, 1, figsize=(7, 7.6), layout="constrained",
     gridspec_kw={"height_ratios": (1, 1, 1)},
 )
 
@@ -55,18 +54,19 @@ mesh = top.pcolormesh(
     x, y, level, shading="nearest", cmap="inferno", vmin=LEVEL - 25
 )
 top.contour(x, y, level, np.arange(120, 160, 5), colors="w", linewidths=0.5)
-figure.colorbar(mesh, ax=top, label="level / dB")
+figure.colorbar(mesh, ax=top, label="level [dB]")
 
 speed = cells("UAmp1")
 mesh = middle.pcolormesh(x, y, speed, shading="nearest", cmap="viridis")
-figure.colorbar(mesh, ax=middle, label="velocity amplitude / (m/s)")
+figure.colorbar(mesh, ax=middle, label="velocity [m/s]")
 
 for axes in (top, middle):
     axes.plot([0, 0], [25*WIDTH, 75*WIDTH], color="C0", lw=6, clip_on=False)
     axes.plot(
         [100*LENGTH]*2, [87.5*WIDTH, 100*WIDTH], color="w", lw=6, clip_on=False
     )
-    axes.set(ylabel="y / cm", xlabel="x / cm", aspect="equal")
+    axes.set(ylabel="y [cm]", xlabel="x [cm]", aspect="equal")
+    axes.grid(False)
 top.plot(100*LENGTH, 0, "o", color="C2", ms=8, clip_on=False)
 top.set_title(
     f"{LEVEL:g} dB in the corner (green), by the loudspeaker (blue),"
@@ -90,13 +90,13 @@ period, reached, drive = history.T
 bottom.axhspan(LEVEL - 0.1, LEVEL + 0.1, color="C2", alpha=0.4)
 bottom.plot(period, reached, "o-", ms=3, color="k")
 bottom.set(
-    xlabel="period", ylabel="level at the point / dB",
+    xlabel="time [periods]", ylabel="level at the point [dB]",
     ylim=(LEVEL - 25, LEVEL + 3),
 )
 right = bottom.twinx()
 right.plot(period, drive, color="C0")
-right.set_ylabel("velocity of the loudspeaker / (m/s)", color="C0")
+right.set_ylabel("velocity of the loudspeaker [m/s]", color="C0")
+right.grid(False)
 right.set_ylim(0, None)
-bottom.grid(alpha=0.3)
 
-figure.savefig(case/"resonantChamber.png", dpi=150)
+runTables.save(figure, case/"resonantChamber.png")

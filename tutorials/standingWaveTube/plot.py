@@ -1,6 +1,7 @@
 """Pressure and velocity along the tube against linear theory.
 
-Reads what the function objects have written, writes standingWaveTube.png.
+Reads what the function objects have written, prints the amplitude and the
+frequency of the pressure at the wall, and writes standingWaveTube.png.
 """
 
 import os
@@ -28,9 +29,8 @@ omega = np.pi*SOUND_SPEED/LENGTH
 k = np.pi/LENGTH
 u0 = AMPLITUDE/(DENSITY*SOUND_SPEED)
 
-plt.rcParams.update({"font.size": 9, "axes.grid": True, "grid.alpha": 0.3})
-figure = plt.figure(figsize=(9, 6), constrained_layout=True)
-grid = figure.add_gridspec(2, 2)
+figure = plt.figure(figsize=(7, 6.4), layout="constrained")
+grid = figure.add_gridspec(2, 2, height_ratios=(1.2, 1))
 pressure = figure.add_subplot(grid[0, 0])
 velocity = figure.add_subplot(grid[0, 1])
 history = figure.add_subplot(grid[1, :])
@@ -45,7 +45,7 @@ x = np.linspace(0, LENGTH, 200)
 for directory, colour in zip(times, colours):
     t = float(directory.name)
     velocities = case/"postProcessing/velocityProfile"/directory.name
-    label = f"{t*FREQUENCY:.3g} periods"
+    label = f"{t*FREQUENCY:.3g}"
     p = runTables.Table(directory/"axis_p.xy").numbers()
     u = runTables.Table(velocities/"axis_U.xy").numbers()
     if not p.size or not u.size:
@@ -62,10 +62,13 @@ for directory, colour in zip(times, colours):
         100*u[:, 0], 1e3*u[:, 1], "o", ms=3, color=colour, label=label
     )
 
-pressure.set(xlabel="x / cm", ylabel="sound pressure / Pa")
-velocity.set(xlabel="x / cm", ylabel="velocity / (mm/s)")
+pressure.set(xlabel="x [cm]", ylabel="sound pressure [Pa]")
+velocity.set(
+    xlabel="x [cm]", ylabel="velocity [mm/s]", ylim=(-1100*u0, 700*u0)
+)
 velocity.legend(
-    title="after", loc="center left", bbox_to_anchor=(1, 0.5), frameon=False
+    title="time [periods]", loc="upper center", ncol=3, handletextpad=0.2,
+    columnspacing=1,
 )
 
 # Over all periods, near a wall
@@ -80,14 +83,27 @@ history.plot(
     t*FREQUENCY, series[:, 1] - AMBIENT, "k", lw=0.8, label="acousticDEMFoam"
 )
 history.set(
-    xlabel="time / periods", ylabel="pressure at the wall / Pa",
-    xlim=(0, t[-1]*FREQUENCY), ylim=(-1.1*AMPLITUDE, 1.45*AMPLITUDE),
+    xlabel="time [periods]", ylabel="pressure at the wall [Pa]",
+    xlim=(0, t[-1]*FREQUENCY), ylim=(-1.1*AMPLITUDE, 1.5*AMPLITUDE),
 )
-history.legend(loc="upper right", ncol=2, framealpha=1)
+history.legend(loc="upper right", ncol=2)
+pressure.set_title("lines: linear theory")
+velocity.set_title("symbols: acousticDEMFoam")
+runTables.save(figure, case/"standingWaveTube.png")
 
-figure.suptitle(
-    "Standing wave in a closed tube, 120 dB, 50 cells per wavelength, "
-    "200 steps per period\nlines: linear theory, symbols: acousticDEMFoam",
-    fontsize=10,
-)
-figure.savefig(case/"standingWaveTube.png", dpi=150)
+
+def wave(first, last):
+    """Amplitude and phase between two times in periods, by least squares."""
+    some = (t*FREQUENCY > first) & (t*FREQUENCY <= last)
+    columns = np.array([np.cos(omega*t[some]), np.sin(omega*t[some])]).T
+    a, b = np.linalg.lstsq(columns, series[some, 1] - AMBIENT, rcond=None)[0]
+    return np.hypot(a, b), np.arctan2(b, a)
+
+
+periods = int(np.floor(t[-1]*FREQUENCY + 0.01))
+if periods > 1:
+    (start, early), (end, late) = wave(0, 1), wave(periods - 1, periods)
+    lag = (late - early + np.pi) % (2*np.pi) - np.pi
+    print(f"Amplitude at the wall: {start:.3f} Pa in period 1, {end:.3f} Pa in"
+          f" period {periods}; theory {AMPLITUDE*np.cos(k*cell):.3f} Pa\n"
+          f"Frequency: {-100*lag/(2*np.pi*(periods - 1)):+.3f} % from theory")

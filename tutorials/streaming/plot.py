@@ -111,9 +111,8 @@ def exact(position):
     return -np.interp(HALF_GAP - position, grid, velocity)
 
 
-plt.rcParams.update({"font.size": 9})
 figure, (top, bottom) = plt.subplots(
-    2, 1, figsize=(7.5, 7), layout="constrained",
+    2, 1, figsize=(7, 6.8), layout="constrained",
     gridspec_kw={"height_ratios": (1, 1.1)},
 )
 
@@ -132,9 +131,11 @@ top.streamplot(
     100*x, 1e3*even, 100*flow[0], 1e3*flow[1], color="w", linewidth=0.7,
     arrowsize=0.8, density=(1.6, 0.9),
 )
-figure.colorbar(image, ax=top, label="mean speed / (mm/s)")
+top.grid(False)
+figure.colorbar(image, ax=top, label="mean speed [mm/s]")
 top.set(
-    xlabel="x / cm, from the piston", ylabel="from the plate / mm",
+    xlabel="distance from the piston [cm]",
+    ylabel="distance from the plate [mm]",
     xlim=(0, 100*LENGTH), ylim=(0, 1e3*HALF_GAP),
     title="the mean flow, from the plate (below) to the middle of the gap",
 )
@@ -151,13 +152,12 @@ bottom.plot(
 bottom.plot(profile, 1e3*y, "o", ms=3, color="k", label="acousticDEMFoam")
 bottom.axhspan(0, 1e3*DELTA, color="C1", alpha=0.3, lw=0, label="Stokes layer")
 bottom.set(
-    xlabel=r"mean velocity along the plates / $(3u_0^2/8c)$, towards the nodes"
-    " of the velocity", ylabel="from the plate / mm", ylim=(0, 1e3*HALF_GAP),
+    xlabel="mean velocity towards the nodes of the velocity [$3u_0^2/8c$]",
+    ylabel="distance from the plate [mm]", ylim=(0, 1e3*HALF_GAP),
 )
-bottom.legend(loc="upper right", framealpha=1)
-bottom.grid(alpha=0.3)
+bottom.legend(loc="upper right", frameon=True, framealpha=1)
 
-figure.savefig(case/"streaming.png", dpi=150)
+runTables.save(figure, case/"streaming.png")
 
 print(
     f"Velocity amplitude in the middle {u0:.3f} m/s; streaming"
@@ -165,4 +165,3 @@ print(
     f" theory for this gap {strength(exact(y)):.3f}; profiles differ by up to"
     f" {np.abs(profile - exact(y)).max():.3f}"
 )
-print(f"Wrote {case/'streaming.png'}")

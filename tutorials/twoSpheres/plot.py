@@ -22,13 +22,23 @@ except ImportError:
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 
-WAKES = {"Oseen": "C0", "ProudmanPearson": "C2", "memory": "C3",
-         "history": "C1"}
+WAKES = {"Oseen": "C0o-", "ProudmanPearson": "C2^:", "memory": "C3s--",
+         "history": "C1d-"}
 DISTANCES = [30, 50, 100, 200]  # um, in the order of the ids of the pairs
-KNOWN = {  # ms, at Hz and um
+KNOWN = {  # ms, at Hz and um, of the experiment as it is here
     "Oseen": {(200, 100): 21.5, (1000, 100): 8.94, (1000, 200): 23.2},
     "history": {(1000, 100): 11.3, (1000, 200): 44.9},
 }
+
+EXPERIMENT = {
+    name: float(value) for name, value in re.findall(
+        r"^(\w+)\s+([-+.\deE]+)\s*;", (case/"system/experiment").read_text(),
+        re.M
+    )
+}
+VELOCITY, DIAMETER = EXPERIMENT["velocity"], EXPERIMENT["diameter"]  # m/s, m
+if (VELOCITY, DIAMETER, EXPERIMENT["density"]) != (0.44, 8e-6, 2400):
+    KNOWN = {}
 
 
 def meetings(frequency, wake):
@@ -55,7 +65,7 @@ table = {
 
 print("Time until two spheres meet [ms], - if they have not\n")
 print("[Hz]   [um]" + "".join(f"{wake:>17s}" for wake in WAKES)
-      + "    known")
+      + ("    known" if KNOWN else ""))
 for i, f in enumerate(frequencies):
     for j, distance in enumerate(DISTANCES):
         times = [table[wake][i, j] for wake in WAKES]
@@ -68,28 +78,27 @@ for i, f in enumerate(frequencies):
         ) + "   " + ", ".join(known))
 
 figure, panels = plt.subplots(
-    1, 4, figsize=(12, 4), sharex=True, sharey=True
+    2, 2, figsize=(7, 6.4), sharex=True, sharey=True, layout="constrained"
 )
-for j, (distance, axes) in enumerate(zip(DISTANCES, panels)):
-    for wake, colour in WAKES.items():
-        axes.loglog(frequencies, table[wake][:, j], "o-", ms=3, color=colour,
-                    label=wake)
+for j, (distance, axes) in enumerate(zip(DISTANCES, panels.flat)):
+    for wake, line in WAKES.items():
+        axes.loglog(frequencies, table[wake][:, j], line, ms=4, label=wake)
         for (f, r), time in KNOWN.get(wake, {}).items():
             if r == distance and f in frequencies:
-                axes.plot(f, time, "s", ms=9, mfc="none", color=colour)
+                axes.plot(f, time, "s", ms=9, mfc="none", color=line[:2])
     axes.set_title(f"from {distance} µm")
-    axes.set_xlabel("frequency [Hz]")
     axes.set_xticks([200, 500, 1000, 2000, 5000],
                     ["0.2k", "0.5k", "1k", "2k", "5k"])
     axes.set_yticks([2, 5, 10, 20, 50, 100], ["2", "5", "10", "20", "50", "100"])
     axes.minorticks_off()
-    axes.grid(alpha=0.3)
-panels[0].set_ylabel("time until they meet [ms]")
-panels[0].legend(frameon=False)
+for axes in panels[:, 0]:
+    axes.set_ylabel("time until they meet [ms]")
+for axes in panels[1]:
+    axes.set_xlabel("frequency [Hz]")
+panels[0, 0].legend(loc="upper left")
 figure.suptitle(
-    "Two glass spheres of 8 µm, 0.44 m/s at every frequency, in line with the "
-    "sound\n(squares: known by other means)", fontsize=10,
+    f"Two spheres of {1e6*DIAMETER:g} µm in line with the sound,"
+    f" {VELOCITY:g} m/s at every frequency"
+    + ("\n(squares: known by other means)" if KNOWN else "")
 )
-figure.tight_layout()
-figure.savefig(case/"twoSpheres.png", dpi=150)
-print(f"Wrote {case/'twoSpheres.png'}")
+runTables.save(figure, case/"twoSpheres.png")

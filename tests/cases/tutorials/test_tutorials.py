@@ -62,6 +62,7 @@ def test_runs_in_a_copy(tmp_path, allrun):
         case.replace(
             "system/controlDict", rf"{re.escape(old)}/\$f", f"{new}/$f"
         )
+    (case.path/"README.png").write_text("what belongs to the tutorial")
     script(case, "Allclean")
 
     # Built already, and not to be built while tests run
@@ -210,3 +211,17 @@ for case in sys.argv[1:]:
     ).stdout
     assert read.count("FIELDS T U p") == len(cases) > 3, read
     assert "ERR|" not in read, read
+
+
+def test_one_of_several_clouds_is_drawn(tmp_path):
+    """ParaView reads all of them, whichever is asked for."""
+    if not (shutil.which("pvbatch") and shutil.which("Xvfb")):
+        pytest.skip("ParaView is not installed")
+    case = FoamCase("twoSpheres", tmp_path/"case")
+    case.replace("system/experiment", r"(?m)^latest .*", "latest 2e-5;")
+    case.run("blockMesh")
+    case.run("acousticDEMFoam")
+    subprocess.run([ROOT/"bin/renderCloud", case.path, "memory"], check=True)
+    assert (case.path/"cloud.png").stat().st_size > 10000
+    drawn = (case.path/"log.renderCloud").read_text()
+    assert "0 ms: 8 particles" in drawn and "0.02 ms: 8 particles" in drawn
