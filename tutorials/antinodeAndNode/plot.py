@@ -43,7 +43,7 @@ for number, (name, place) in enumerate(PLACES.items()):
     colour = plt.cm.viridis(0.95*number/(len(PLACES) - 1))
     top.plot(1e3*table[:, 0], efficiency, color=colour, label=name)
     bottom.plot(1e3*place*LENGTH, efficiency[-1], "o", color=colour, ms=8,
-               clip_on=False)
+                clip_on=False)
     print(f"{name:13s}{1e3*place*LENGTH:6.1f}"
           f"{u0*abs(np.sin(2*np.pi*place)):11.3f}{table[-1, 1]:12.0f}"
           f"{efficiency[-1]:17.2f}")
