@@ -8,6 +8,7 @@
 #include "argList.H"
 #include "foamVersion.H"
 #include "IOdictionary.H"
+#include "OSspecific.H"
 #include "Pstream.H"
 #include "PstreamReduceOps.H"
 #include "writtenFiles.H"
@@ -100,10 +101,20 @@ void Foam::restartableTime::refuse(const scalar time, const fileName& folders)
 
 Foam::fileName Foam::restartableTime::onAllRanks(const Time& time)
 {
-    const fileName all =
-        time.processorCase() ? time.globalPath()/"processor*" : time.path();
+    if (!time.processorCase())
+    {
+        return time.timePath();
+    }
 
-    return all/time.timeName();
+    // Collated files of all ranks are in one folder
+    const fileName collated =
+        time.globalPath()/("processors" + Foam::name(Pstream::nProcs()))
+       /time.timeName();
+
+    return
+        isDir(collated)
+      ? collated
+      : time.globalPath()/"processor*"/time.timeName();
 }
 
 
@@ -206,6 +217,15 @@ void Foam::restartableTime::restoreValue()
             false
         )
     );
+
+    // Some file handlers let the master look: all ranks ask
+    const fileName file =
+        fileHandler().filePath(timePath()/"uniform"/"time");
+
+    if (!file.empty() && written.empty())
+    {
+        refuse(value(), onAllRanks(*this));
+    }
 
     if (timeToUserTime(value()) != value())
     {

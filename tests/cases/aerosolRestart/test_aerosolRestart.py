@@ -146,6 +146,48 @@ def test_continues_with_few_digits_in_the_names_of_times(
     assert float(parts.times()[-1]) > float(other) + 9.9*step
 
 
+def test_continues_from_collated_files(tmp_path, meshed):
+    """Serially and on two ranks in turn; what is not whole has a name."""
+    whole = prepare(tmp_path/"whole", meshed)
+    whole.run("acousticDEMFoam")
+
+    case = prepare(tmp_path/"case", meshed)
+    case.control("endTime", repr(10*STEP))
+    case.run("acousticDEMFoam", "-fileHandler", "collated")
+    case.control("endTime", repr(20*STEP))
+    log = case.run("acousticDEMFoam", "-fileHandler", "collated")
+    assert "Continuing with the" in log
+
+    case.write(
+        "system/decomposeParDict",
+        "FoamFile { version 2.0; format ascii; class dictionary;"
+        " object decomposeParDict; }\nnumberOfSubdomains 2; method simple;"
+        " simpleCoeffs { n (1 2 1); delta 0.001; }\n",
+    )
+    case.run("decomposePar", "-fileHandler", "collated", "-latestTime")
+    parallel = (
+        "mpirun", "--oversubscribe", "-np", 2,
+        "acousticDEMFoam", "-parallel", "-fileHandler", "collated",
+    )
+    for steps in (30, 40):
+        case.control("endTime", repr(steps*STEP))
+        log = case.run(*parallel)
+        assert log.count("Continuing with the") == steps//10 - 2
+    assert not list(case.path.glob("processor[0-9]"))
+
+    end = case.path/"processors2"/whole.times()[-1]
+    mark = end/"uniform"/"incomplete"
+    mark.write_text("")
+    log = " ".join(case.run(*parallel, status=1).split())
+    assert f"remove {end}" in log
+    mark.unlink()
+
+    case.run("reconstructPar", "-fileHandler", "collated", "-latestTime")
+    expected = whole.cloud(whole.times()[-1])
+    for field, values in case.cloud(case.times()[-1]).items():
+        assert np.array_equal(values, expected[field]), field
+
+
 @pytest.fixture(scope="module", name="stopped")
 def fixture_stopped(tmp_path_factory, meshed):
     """Interrupted, with all that a state may have."""
@@ -199,6 +241,7 @@ def first_number(value):
     ("position", first_number(np.inf), "no finite number"),
     ("../../uniform/aerosolState", cut, "aerosolState"),
     ("../../uniform/aerosolState", empty, "aerosolState"),
+    ("../../uniform/time", empty, "its files are not whole"),
 ], ids=lambda value: getattr(value, "__name__", str(value)))
 def test_refuses_a_state_that_is_not_whole(
     tmp_path, stopped, name, damage, message
