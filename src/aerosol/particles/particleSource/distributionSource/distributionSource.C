@@ -31,9 +31,10 @@ namespace aerosol
 namespace
 {
 
-//- An estimate, not a measurement: of the whole run at its largest, per
-//  particle
-constexpr double bytesPerParticle = 1000;
+//- Of the whole run at its largest, per particle and rank, without and with
+//  wakes; tests/benchmarks/scaling measures them
+constexpr double leastBytes = 600;
+constexpr double usualBytes = 1000;
 
 } // End anonymous namespace
 
@@ -75,20 +76,30 @@ int Foam::aerosol::distributionSource::count(const domain& region) const
     }
 
     // At the start every rank has all particles
-    const scalar needed = n*bytesPerParticle*bricks::nRanks();
+    const scalar each = n*bricks::nRanks();
     const scalar memory =
         scalar(sysconf(_SC_PHYS_PAGES))*scalar(sysconf(_SC_PAGESIZE));
 
-    if (needed > memory)
+    const auto GB = [](const scalar bytes) { return std::ceil(1e-9*bytes); };
+
+    if (each*leastBytes > memory)
     {
         FatalIOErrorInFunction(dict_)
-            << label(n) << " particles need about " << std::ceil(1e-9*needed)
+            << label(n) << " particles need at least " << GB(each*leastBytes)
             << " GB of memory, but this computer has "
             << std::floor(1e-9*memory)
             << "; change '"
             << (byConcentration ? "numberConcentration" : "count")
             << "' of " << dict_.name() << " or the size of the domain"
             << exit(FatalIOError);
+    }
+
+    if (each*usualBytes > memory)
+    {
+        WarningInFunction
+            << label(n) << " particles with wakes need about "
+            << GB(each*usualBytes) << " GB of memory, but this computer has "
+            << std::floor(1e-9*memory) << endl;
     }
 
     return static_cast<int>(n);
