@@ -133,7 +133,7 @@ def main():
     ):
         axes.semilogx(s, theory, color="0.6", label="theory")
         axes.semilogx(rows[0], computed, "o", color="C0", label="computed")
-        axes.set_xlabel(r"$\omega\tau$, frequency by relaxation time")
+        axes.set_xlabel(r"$\omega\tau$")
         axes.set_ylabel(label)
         axes.xaxis.set_major_formatter("{x:g}")
     left.legend()

@@ -1,7 +1,7 @@
 """A map of the level, and how the level control reached it.
 
 Reads what the function object soundPressureLevel has written and the log;
-writes resonantChamber.png.
+prints the level that was reached and writes resonantChamber.png.
 """
 
 import os
@@ -49,6 +49,8 @@ figure, (top, middle, bottom) = plt.subplots(
     gridspec_kw={"height_ratios": (1, 1, 1)},
 )
 
+for axes in (top, middle):
+    axes.grid(False)
 level = cells("SPL")
 mesh = top.pcolormesh(
     x, y, level, shading="nearest", cmap="inferno", vmin=LEVEL - 25
@@ -66,11 +68,9 @@ for axes in (top, middle):
         [100*LENGTH]*2, [87.5*WIDTH, 100*WIDTH], color="w", lw=6, clip_on=False
     )
     axes.set(ylabel="y [cm]", xlabel="x [cm]", aspect="equal")
-    axes.grid(False)
 top.plot(100*LENGTH, 0, "o", color="C2", ms=8, clip_on=False)
 top.set_title(
-    f"{LEVEL:g} dB in the corner (green), by the loudspeaker (blue),"
-    " with an opening (white)"
+    f"{LEVEL:g} dB in the corner (green); loudspeaker blue, opening white"
 )
 
 # The log has a line per period
@@ -99,4 +99,10 @@ right.set_ylabel("velocity of the loudspeaker [m/s]", color="C0")
 right.grid(False)
 right.set_ylim(0, None)
 
+outside = period[np.abs(reached - LEVEL) > 0.25]
+print(
+    f"Level at the point {reached[-1]:.2f} dB, velocity of the loudspeaker"
+    f" {drive[-1]:.3f} m/s in period {period[-1]:g};\nwithin 0.25 dB of"
+    f" {LEVEL:g} dB after period {outside[-1] if outside.size else 0:g}"
+)
 runTables.save(figure, case/"resonantChamber.png")

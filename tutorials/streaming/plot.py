@@ -123,6 +123,7 @@ flow = [
     for c in (0, 1)
 ]
 speed = 1e3*np.hypot(*flow)
+top.grid(False)
 image = top.pcolormesh(
     100*x, 1e3*even, speed, shading="nearest", cmap="viridis"
 )
@@ -131,7 +132,6 @@ top.streamplot(
     100*x, 1e3*even, 100*flow[0], 1e3*flow[1], color="w", linewidth=0.7,
     arrowsize=0.8, density=(1.6, 0.9),
 )
-top.grid(False)
 figure.colorbar(image, ax=top, label="mean speed [mm/s]")
 top.set(
     xlabel="distance from the piston [cm]",
