@@ -717,7 +717,8 @@ Foam::dictionary Foam::aerosol::aerosolCloud::state() const
     dict.add("frameVelocityY", frame_->velocity()(1));
     dict.add("frameVelocityZ", frame_->velocity()(2));
 
-    if (coupling_)
+    // Not yet at the start: there are no forces to go on from
+    if (coupling_ && step_ > 0)
     {
         dict.add("coupled", Switch(true));
     }

@@ -168,7 +168,7 @@ void Foam::aerosol::suitability::checkBrownian
             << " m"
             << " stray by " << most << " of their diameters relative to one"
             << " another: eventDriven resolves up to four, and misses contacts"
-            << " beyond. Reduce deltaT" << endl;
+            << " beyond. Reduce deltaT of system/controlDict" << endl;
     }
 }
 

@@ -1,5 +1,7 @@
 """A coupled run goes on after a restart and on other numbers of ranks."""
 
+import shutil
+
 import numpy as np
 import pytest
 from aerosolcase import AerosolCase
@@ -56,6 +58,18 @@ def test_restart(tmp_path, whole, forget, jump):
         assert off > jump
     else:
         assert off < 1e-8
+
+
+def test_begins_again_from_the_start(tmp_path, whole):
+    """After a kill before anything was written but the particles at the start."""
+    case = prepare(tmp_path/"case", 1)
+    case.run("acousticDEMFoam")
+    assert (case.path/"0"/"lagrangian").is_dir()
+    shutil.rmtree(case.path/case.times()[-1])
+    case.control("endTime", "#eval{ 2.0/$frequency }")
+    assert "Continuing with the" in case.run("acousticDEMFoam")
+    parts = case.probes("history", "p")[1][:, 0]
+    assert np.array_equal(parts, whole)
 
 
 def test_ranks(tmp_path, whole):

@@ -330,7 +330,7 @@ void Foam::aerosol::timeStepping::requireShort
             << "In one fluid step of " << h << " s a particle can move by "
             << furthest << " m relative to the others, which is more than the "
             << "shortest edge of the domain, " << shortest
-            << " m. Reduce deltaT"
+            << " m. Reduce deltaT of system/controlDict"
             << exit(FatalError);
     }
 }
