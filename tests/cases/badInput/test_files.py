@@ -12,6 +12,7 @@ from test_badInput import ACOUSTIC, AEROSOL, CONTROL, SOURCE, check_refusal
 sys.path.append(str(Path(__file__).resolve().parents[2]/"fuzzing"))
 
 import fuzzing  # noqa: E402
+from bases import HEADER  # noqa: E402
 
 SOLVER = "acousticDEMFoam"
 
@@ -213,7 +214,7 @@ def bent(case, cells="10 10 1"):
         ]
         return " ".join(str(at[c]) for c in corners)
 
-    case.write("system/blockMeshDict", fuzzing.HEADER.format(
+    case.write("system/blockMeshDict", HEADER.format(
         "dictionary", "blockMeshDict"
     ) + "scale 0.01; vertices (" + " ".join(
         f"({x} {y} {z})" for x, y, z in points
