@@ -8,7 +8,7 @@
 
 #include "equationOfMotion.H"
 #include "IStringStream.H"
-#include "searchGrid.H"
+#include "cellGrid.H"
 
 #include <benchmark/benchmark.h>
 
@@ -82,7 +82,7 @@ particleArrays aerosolOf(const int n)
         }
     }
 
-    searchGrid::sort(p);
+    cellGrid::sort(p);
 
     return p;
 }
@@ -93,7 +93,7 @@ std::vector<particlePair> neighbours(const particleArrays& p, const double n)
 {
     const double reach = std::cbrt(n/(concentration*4/3*EIGEN_PI));
 
-    searchGrid grid;
+    cellGrid grid;
     grid.build(p.x, scalars::Constant(p.size(), reach));
 
     std::vector<particlePair> pairs;
@@ -168,7 +168,7 @@ void block(benchmark::State& state, const std::string& type)
         {
             pairs.r[k](b) = p.x(k, b) - p.x(k, b + 1);
             pairs.slip[k](b) = p.v(k, b);
-            pairs.quadrature[k](b) = p.v(k, b + 1);
+            pairs.imaginary[k](b) = p.v(k, b + 1);
             pairs.steady[k](b) = 0;
         }
         pairs.radius(b) = 0.5*p.d(b);
@@ -214,7 +214,7 @@ void search(benchmark::State& state, const std::string& what, const int n)
     const particleArrays p = aerosolOf(n);
     const scalars id = p.id.cast<double>();
     const scalars reach = what == "acting" ? (20*p.d).eval() : (6*p.d).eval();
-    searchGrid grid;
+    cellGrid grid;
     std::vector<particlePair> pairs;
 
     if (what != "build")

@@ -173,7 +173,7 @@ turbulence
     type syntheticTurbulence; shearRate 200; wavelength 1e-3; timeScale 0.01;
     seed 3;
 }
-carried { velocity (0.01 0 0); }
+frame { velocity (0.01 0 0); }
 report
 {
     interval 2e-5; sizeBins { min 1e-7; max 4e-5; n 8; }

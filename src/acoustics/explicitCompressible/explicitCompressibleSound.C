@@ -409,7 +409,7 @@ Foam::acoustics::explicitCompressibleSound::explicitCompressibleSound
 
     for (int k = 0; k < 5; ++k)
     {
-        // Ghosts that nobody fills are gas too
+        // Ghosts that are not filled are gas too
         const scalar value = k == 0 ? constants.rho : k == 4 ? constants.p : 0;
 
         q_[k].assign(stencils_.size(), value);

@@ -121,7 +121,7 @@ Foam::boolList Foam::acoustics::faceStencils::connect()
     const labelList mine(far);
     syncTools::swapBoundaryFaceList(mesh_, far);
 
-    // Who wants which cell
+    // The ranks that want each cell
     labelListList wanted(Pstream::nProcs());
     receive_.setSize(Pstream::nProcs());
     List<DynamicList<label>> from(Pstream::nProcs());

@@ -5,7 +5,7 @@
 
 #include "harmonicFlow.H"
 
-#include "cellField.H"
+#include "phasor.H"
 #include "checkedEntry.H"
 #include "localIOdictionary.H"
 #include "mathematicalConstants.H"

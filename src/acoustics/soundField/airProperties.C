@@ -18,7 +18,7 @@ namespace
 //- Sutherland's temperature of air [K]
 constexpr double Sutherland = 110.4;
 
-//- What a gas can have, and from which temperature on nobody asks [K], [Pa]
+//- What a gas can have, and the largest temperature and pressure [K], [Pa]
 constexpr double coldest = 100;
 constexpr double cold = 200;
 constexpr double hottest = 5000;

@@ -152,7 +152,7 @@ Foam::acoustics::localSound::at(const scalar t) const
 
     m.t = t;
     m.u = u.col(0) - frame_;
-    m.swing.resize(3, 0);
+    m.oscillation.resize(3, 0);
 
     if (frequency() <= 0)
     {
@@ -173,7 +173,7 @@ Foam::acoustics::localSound::at(const scalar t) const
     const scalar angle =
         constant::mathematical::twoPi*(periods - std::floor(periods));
 
-    m.swing.resize(3, 2*harmonics.cols());
+    m.oscillation.resize(3, 2*harmonics.cols());
 
     for (int k = 1; k <= harmonics.cols(); ++k)
     {
@@ -182,8 +182,8 @@ Foam::acoustics::localSound::at(const scalar t) const
             harmonics.col(k - 1)*std::polar(1.0, k*angle)
            /std::complex<double>(0, k*omega);
 
-        m.swing.col(2*k - 2) = gradient*displacement.real();
-        m.swing.col(2*k - 1) = -gradient*displacement.imag();
+        m.oscillation.col(2*k - 2) = gradient*displacement.real();
+        m.oscillation.col(2*k - 1) = -gradient*displacement.imag();
     }
 
     return m;
@@ -385,10 +385,10 @@ void Foam::acoustics::localSound::velocityAt
 
     const moment& now = at(t);
 
-    for (int k = 1; 2*k <= now.swing.cols(); ++k)
+    for (int k = 1; 2*k <= now.oscillation.cols(); ++k)
     {
-        const double* const a = now.swing.data() + 3*(2*k - 2);
-        const double* const b = now.swing.data() + 3*(2*k - 1);
+        const double* const a = now.oscillation.data() + 3*(2*k - 2);
+        const double* const b = now.oscillation.data() + 3*(2*k - 1);
         double* const to = u.data();
 
         for (Eigen::Index i = 0; i < x.cols(); ++i)

@@ -10,7 +10,7 @@
 #include "fvMesh.H"
 #include "particleSource.H"
 #include "Time.H"
-#include "vectorEntry.H"
+#include "eigenVector.H"
 #include "writtenFiles.H"
 
 #include <algorithm>
@@ -54,7 +54,7 @@ Foam::aerosol::aerosolCloud::aerosolCloud
     dict_(requireKnownModels(dict)),
     domain_(domainInMesh(dict_.subDict("domain"), mesh)),
     sound_(sound, optionalDict(dict_, "turbulence"), *domain_),
-    bricks_(*domain_),
+    decomposition_(*domain_),
     motion_
     (
         dict_,
@@ -62,15 +62,15 @@ Foam::aerosol::aerosolCloud::aerosolCloud
         domain_->period(),
         {sound.frequency(), sound.expectedAmplitude()}
     ),
-    contacts_(dict_),
-    suitability_(dict_, mesh.time(), *domain_, sound_, motion_, contacts_),
-    breakages_(optionalDict(dict_, "breakage")),
+    collisions_(dict_),
+    setupCheck_(dict_, mesh.time(), *domain_, sound_, motion_, collisions_),
+    fragmentation_(optionalDict(dict_, "breakage")),
     timeStepping_
     (
         timeStepping::New
         (
             dict_.subDict("timeStepping"),
-            {sound_, *domain_, motion_, contacts_}
+            {sound_, *domain_, motion_, collisions_}
         )
     ),
     files_(mesh, name),
@@ -127,7 +127,7 @@ Foam::aerosol::aerosolCloud::aerosolCloud
 
     if
     (
-        breakages_.active()
+        fragmentation_.active()
      && (
             dict_.subDict("contact").get<word>("type") == "none"
          || dict_.subDict("aggregate").get<word>("type") == "none"
@@ -140,15 +140,15 @@ Foam::aerosol::aerosolCloud::aerosolCloud
             << " break any" << endl;
     }
 
-    contacts_.breakBy(breakages_.model());
+    collisions_.breakBy(fragmentation_.model());
 
     if (reportsContacts_)
     {
-        contacts_.keepRecords();
+        collisions_.keepRecords();
     }
     if (reportsBreakages_)
     {
-        breakages_.keepRecords();
+        fragmentation_.keepRecords();
     }
 
     isNew_ = !files_.found();
@@ -158,7 +158,7 @@ Foam::aerosol::aerosolCloud::aerosolCloud
         prepareFrame(dictionary());
         makeParticles();
         applyLaws(dictionary());
-        suitability_.requireRanges(particles_);
+        setupCheck_.requireRanges(particles_);
     }
     else
     {
@@ -169,12 +169,12 @@ Foam::aerosol::aerosolCloud::aerosolCloud
     }
 
     Info<< summary().c_str() << nl << models().c_str() << nl;
-    suitability_.report(particles_);
+    setupCheck_.report(particles_);
     Info<< endl;
 
     // Up to here every rank has all of them
-    bricks_.keepOwn(particles_);
-    searchGrid::sort(particles_);
+    decomposition_.keepOwn(particles_);
+    cellGrid::sort(particles_);
 }
 
 
@@ -186,7 +186,7 @@ const Foam::wordList& Foam::aerosol::aerosolCloud::modelNames()
     ({
         "domain", "particles", "timeStepping", "drag", "unsteadyDrag",
         "gravity", "wake", "Brownian", "contact", "aggregate", "breakage",
-        "report", "carried", "coupling", "turbulence"
+        "report", "frame", "coupling", "turbulence"
     });
 
     return names;
@@ -198,6 +198,13 @@ const Foam::dictionary& Foam::aerosol::aerosolCloud::requireKnownModels
     const dictionary& dict
 )
 {
+    if (dict.found("carried"))
+    {
+        FatalIOErrorInFunction(dict.optionalSubDict("carried"))
+            << "Dictionary 'carried' is named 'frame' now: rename it"
+            << exit(FatalIOError);
+    }
+
     requireDictionaries(dict, modelNames());
 
     requireOnly
@@ -257,8 +264,8 @@ Foam::dictionary Foam::aerosol::aerosolCloud::readParticles()
     reached_ = state.getOrDefault<scalar>("reached", reached_);
     N0_ = state.get<label>("initialNumber");
     N0PM25_ = state.get<label>("initialNumberPM25");
-    contacts_.setCount(state.get<label>("contacts"));
-    contacts_.setRefusedPairs
+    collisions_.setCount(state.get<label>("contacts"));
+    collisions_.setRefusedPairs
     (
         state.getOrDefault<labelList>("refusedPairs", labelList())
     );
@@ -266,7 +273,7 @@ Foam::dictionary Foam::aerosol::aerosolCloud::readParticles()
     wasCoupled_ = state.getOrDefault("coupled", false);
 
     // Before anything could break, ids were those of the start
-    breakages_.begin
+    fragmentation_.begin
     (
         state.getOrDefault<label>("nextId", N0_),
         state.getOrDefault<label>("breakages", 0)
@@ -291,7 +298,7 @@ Foam::dictionary Foam::aerosol::aerosolCloud::readParticles()
 
     requireSame("domain", "domainWas");
     requireSame("particles", "particlesWere");
-    requireSame("carried", "carriedWas");
+    requireSame("frame", "frameWas");
 
     Info<< "Continuing with the " << particles_.size()
         << " particles of time " << mesh_.time().timeName() << nl;
@@ -344,7 +351,7 @@ void Foam::aerosol::aerosolCloud::makeParticles()
     const aerosolStatistics initial(particles_);
 
     N0_ = initial.size;
-    breakages_.begin(N0_, 0);
+    fragmentation_.begin(N0_, 0);
     N0PM25_ = initial.sizePM25;
     sizeBins_ = agglomerationTables::sizeBins
     (
@@ -394,24 +401,24 @@ void Foam::aerosol::aerosolCloud::prepareFrame(const dictionary& state)
     (
         new movingFrame
         (
-            optionalDict(dict_, "carried"), *domain_, chamber(mesh_), start
+            optionalDict(dict_, "frame"), *domain_, chamber(mesh_), start
         )
     );
 
-    if (frame_->carried())
+    if (frame_->domainMoves())
     {
-        Info<< "Carried along; the domain leaves the mesh at "
+        Info<< "The domain moves through the mesh and leaves it at "
             << frame_->end() << " s, after " << frame_->end() - start
             << " s" << nl;
     }
 
     sound_.prepare(frame_->path());
 
-    if (!domain_->representative() && frame_->carried())
+    if (!domain_->representative() && frame_->domainMoves())
     {
         FatalIOErrorInFunction(dict_.subDict("domain"))
-            << "A domain that is carried along cannot have a resolved sound:"
-            << " leave out 'carried', or set 'sound' to representative"
+            << "A domain that moves cannot have a resolved sound: leave out"
+            << " 'frame', or set 'sound' to representative"
             << exit(FatalIOError);
     }
 
@@ -456,7 +463,7 @@ void Foam::aerosol::aerosolCloud::prepareFrame(const dictionary& state)
 
     if (state.found("gasWayX"))
     {
-        sound_.setWay
+        sound_.setDisplacement
         ({
             state.get<scalar>("gasWayX"),
             state.get<scalar>("gasWayY"),
@@ -513,7 +520,7 @@ void Foam::aerosol::aerosolCloud::requirePeriodicSound(const scalar t)
 
             const point onLow = box.min() + cmptMultiply(place, box.span());
 
-            low.col(n) = acoustics::toEigen(onLow);
+            low.col(n) = toEigen(onLow);
             high.col(n) = low.col(n);
             high(k, n) = box.max()[k];
         }
@@ -544,7 +551,7 @@ void Foam::aerosol::aerosolCloud::requirePeriodicSound(const scalar t)
 Foam::aerosol::particleArrays
 Foam::aerosol::aerosolCloud::inChamber() const
 {
-    particleArrays all = bricks::gather(particles_);
+    particleArrays all = decomposition::gather(particles_);
 
     frame_->leave(all, reached_);
 
@@ -570,9 +577,9 @@ void Foam::aerosol::aerosolCloud::applyLaws(const dictionary& state)
     // Not that of the time: decomposePar makes none for a rank without fields
     step_ = state.getOrDefault<label>("step", mesh_.time().timeIndex());
 
-    // If it is not known, a domain that is carried along is carried by it
+    // If it is not known, a domain that moves is taken to move with it
     motion_.setMeanFlow(sound_.meanFlow().value_or(Eigen::Vector3d::Zero()));
-    suitability_.requireTolerance();
+    setupCheck_.requireTolerance();
     takeHistory(state);
     motion_.refresh(particles_);
 }
@@ -613,10 +620,14 @@ void Foam::aerosol::aerosolCloud::takeHistory(const dictionary& state)
 
 void Foam::aerosol::aerosolCloud::checkGrowth()
 {
-    const scalar range = bricks::max
+    const scalar range = communicator::max
     (
         particles_.size()
-      ? std::max(particles_.range.maxCoeff(), particles_.collision.maxCoeff())
+      ? std::max
+        (
+            particles_.range.maxCoeff(),
+            particles_.collisionDiameter.maxCoeff()
+        )
       : 0.0
     );
 
@@ -667,7 +678,7 @@ void Foam::aerosol::aerosolCloud::tabulate()
             N0_,
             N0PM25_,
             domain_->volume(),
-            contacts_.count()
+            collisions_.count()
         );
 
         // Rows at whole intervals, also after a restart
@@ -677,7 +688,7 @@ void Foam::aerosol::aerosolCloud::tabulate()
 
     if (first || end)
     {
-        tables_->writeSizes(now, bricks::gather(particles_).d);
+        tables_->writeSizes(now, decomposition::gather(particles_).d);
     }
 }
 
@@ -701,14 +712,14 @@ Foam::dictionary Foam::aerosol::aerosolCloud::state() const
     dict.add("step", label(step_));
     dict.add("initialNumber", N0_);
     dict.add("initialNumberPM25", N0PM25_);
-    dict.add("contacts", label(contacts_.count()));
-    dict.add("refusedPairs", contacts_.refusedPairs());
-    dict.add("nextId", label(breakages_.nextId()));
-    dict.add("breakages", label(breakages_.count()));
+    dict.add("contacts", label(collisions_.count()));
+    dict.add("refusedPairs", collisions_.refusedPairs());
+    dict.add("nextId", label(fragmentation_.nextId()));
+    dict.add("breakages", label(fragmentation_.count()));
     dict.add("sizeBins", sizeBins_);
     dict.add("domainWas", dict_.subDict("domain"));
     dict.add("particlesWere", dict_.subDict("particles"));
-    dict.add("carriedWas", optionalDict(dict_, "carried"));
+    dict.add("frameWas", optionalDict(dict_, "frame"));
     dict.add("began", frame_->start());
     dict.add("reached", reached_);
     dict.add("amplitude", amplitude_);
@@ -754,12 +765,12 @@ Foam::dictionary Foam::aerosol::aerosolCloud::state() const
 
     if (sound_.turbulent())
     {
-        const Eigen::Vector3d way = sound_.way();
+        const Eigen::Vector3d displacement = sound_.displacement();
 
         // A vector would lose digits here
-        dict.add("gasWayX", way(0));
-        dict.add("gasWayY", way(1));
-        dict.add("gasWayZ", way(2));
+        dict.add("gasWayX", displacement(0));
+        dict.add("gasWayY", displacement(1));
+        dict.add("gasWayZ", displacement(2));
     }
 
     return dict;
@@ -772,11 +783,11 @@ void Foam::aerosol::aerosolCloud::couple(gasReaction& reaction)
 {
     const dictionary& dict = dict_.subDict("coupling");
 
-    if (frame_->carried())
+    if (frame_->domainMoves())
     {
         FatalIOErrorInFunction(dict)
-            << "A domain that is carried along stands for no part of the"
-            << " chamber: coupling must be of type none"
+            << "A domain that moves stands for no part of the chamber:"
+            << " coupling must be of type none"
             << exit(FatalIOError);
     }
 
@@ -797,7 +808,7 @@ void Foam::aerosol::aerosolCloud::couple(gasReaction& reaction)
 
     coupling_.reset(new twoWayCoupling(dict, mesh_, *domain_, reaction));
 
-    const scalar mass = bricks::sum(particles_.m.sum());
+    const scalar mass = communicator::sum(particles_.m.sum());
     const scalar gas = sound_.gas().rho*domain_->volume();
 
     std::ostringstream os;
@@ -869,7 +880,7 @@ void Foam::aerosol::aerosolCloud::evolve()
 
     if (coupling_)
     {
-        timeStepping_->settle(particles_);
+        timeStepping_->migrate(particles_);
         coupling_->before(particles_, h);
     }
 
@@ -890,10 +901,10 @@ void Foam::aerosol::aerosolCloud::evolve()
         coupling_->after(particles_);
     }
 
-    const bool broken = breakages_.apply
+    const bool broken = fragmentation_.apply
     (
         particles_,
-        contacts_.takeImpacts(),
+        collisions_.takeImpacts(),
         motion_,
         sound_,
         *domain_,
@@ -910,13 +921,13 @@ void Foam::aerosol::aerosolCloud::evolve()
 
     if (coupling_ || broken || mesh_.time().writeTime())
     {
-        timeStepping_->settle(particles_);
+        timeStepping_->migrate(particles_);
     }
 
     checkGrowth();
 
-    tables_->writeContacts(contacts_.takeRecords());
-    tables_->writeBreakages(breakages_.takeRecords());
+    tables_->writeContacts(collisions_.takeRecords());
+    tables_->writeBreakages(fragmentation_.takeRecords());
     tabulate();
 }
 
@@ -988,16 +999,16 @@ std::string Foam::aerosol::aerosolCloud::progress() const
 {
     std::ostringstream os;
 
-    const scalar n = bricks::sum(particles_.size());
+    const scalar n = communicator::sum(particles_.size());
 
     os  << n << " of " << N0_
         << " particles left, agglomeration efficiency "
         << 100*(1 - n/N0_) << " %, "
-        << contacts_.count() << " contacts";
+        << collisions_.count() << " contacts";
 
-    if (breakages_.active())
+    if (fragmentation_.active())
     {
-        os  << ", " << breakages_.count() << " breakages";
+        os  << ", " << fragmentation_.count() << " breakages";
     }
 
     if (left(mesh_.time().value()))
@@ -1014,8 +1025,8 @@ std::string Foam::aerosol::aerosolCloud::effort() const
     const timeStepping::effort& done = timeStepping_->done();
 
     const scalar n = max(done.fluidSteps, 1.0);
-    const scalar moved = bricks::sum(done.particleMoves);
-    const scalar members = bricks::sum(done.groupMembers);
+    const scalar moved = communicator::sum(done.particleMoves);
+    const scalar members = communicator::sum(done.clusterMembers);
 
     const scalar fluidStep = mesh_.time().deltaTValue();
     const scalar perFluid = done.particleSteps/n;
@@ -1024,8 +1035,8 @@ std::string Foam::aerosol::aerosolCloud::effort() const
 
     os  << "Steps, on average:\n    fluid     " << fluidStep << " s, "
         << moved/max(done.particleSteps, 1.0) << " particles, "
-        << bricks::sum(done.wakePairs)/n << " wakes on particles, "
-        << bricks::sum(done.contactPairs)/n << " pairs within reach";
+        << communicator::sum(done.wakePairs)/n << " wakes on particles, "
+        << communicator::sum(done.contactPairs)/n << " pairs within reach";
 
     if (perFluid > 1)
     {
@@ -1036,16 +1047,17 @@ std::string Foam::aerosol::aerosolCloud::effort() const
     if (done.collisionSteps > 0)
     {
         os  << "\n    collision " << fluidStep*n/done.collisionSteps << " s, "
-            << bricks::sum(done.collisionPairs)/max(done.particleSteps, 1.0)
-            << " pairs that may meet";
+            << communicator::sum(done.collisionPairs)
+              /max(done.particleSteps, 1.0)
+            << " candidate pairs";
     }
 
     if (members > 0)
     {
-        os  << "\n    groups    " << members/n
-            << " particles in close company, moved "
-            << bricks::sum(done.groupMoves)/members
-            << " times in a step they meet in";
+        os  << "\n    cluster   " << members/n
+            << " particles in clusters, on average "
+            << communicator::sum(done.clusterMoves)/members
+            << " steps each";
     }
 
     return os.str();
@@ -1055,7 +1067,7 @@ std::string Foam::aerosol::aerosolCloud::effort() const
 bool Foam::aerosol::aerosolCloud::writeObject(WRITE_OBJECT_ARGUMENTS) const
 {
     cloudFiles::inFrame inFrame;
-    particleArrays all = bricks::gather(particles_);
+    particleArrays all = decomposition::gather(particles_);
 
     if (frame_->moves())
     {

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "representedCells.H"
+#include "eigenVector.H"
 
 #include "foamVersion.H"
 #include "fvMesh.H"
@@ -79,7 +80,7 @@ Foam::aerosol::representedCells::representedCells
     }
 
     n_ = n.cast<int>();
-    size_ = Eigen::Array3d(box.span().x(), box.span().y(), box.span().z())/n;
+    size_ = toEigen(box.span()).array()/n;
 
     forAll(cellPoints, celli)
     {
@@ -164,7 +165,7 @@ void Foam::aerosol::representedCells::add
     // Copies, which the compiler knows to stay as they are
     const Eigen::Array3i n = n_;
     const Eigen::Array3d perPeriod = 1/(size_*n_.cast<double>());
-    const Eigen::Array3d low(box_.min().x(), box_.min().y(), box_.min().z());
+    const Eigen::Array3d low = toEigen(box_.min());
 
     for (Eigen::Index i = 0; i < x.cols(); ++i)
     {
@@ -172,7 +173,7 @@ void Foam::aerosol::representedCells::add
 
         for (int k = 2; k >= 0; --k)
         {
-            // Who has just left is back on the other side
+            // A particle that has just left is back on the other side
             const double place = (x(k, i) - low[k])*perPeriod[k];
             const double inside = place - std::floor(place);
 

@@ -160,7 +160,7 @@ void Foam::aerosol::twoWayCoupling::after(const particleArrays& p)
         }
     }
 
-    reaction_.settle(inCells(x, impulse));
+    reaction_.migrate(inCells(x, impulse));
 }
 
 

@@ -71,8 +71,8 @@ void Foam::aerosol::particleArrays::resize(const int n)
     response.resize(0);
     acceleration.resize(3, 0);
     range.resize(0);
-    mobility.resize(0);
-    collision.resize(0);
+    mobilityDiameter.resize(0);
+    collisionDiameter.resize(0);
 
     resizeHistory(history.rows());
 }
@@ -103,8 +103,8 @@ void Foam::aerosol::particleArrays::resizeLaws()
     response.resize(size());
     acceleration.resize(3, size());
     range.resize(size());
-    mobility.resize(size());
-    collision.resize(size());
+    mobilityDiameter.resize(size());
+    collisionDiameter.resize(size());
 }
 
 
@@ -136,8 +136,8 @@ void Foam::aerosol::particleArrays::reorder(const std::vector<int>& indices)
         one(response);
         three(acceleration);
         one(range);
-        one(mobility);
-        one(collision);
+        one(mobilityDiameter);
+        one(collisionDiameter);
     }
 
     if (history.rows())
@@ -167,8 +167,8 @@ void Foam::aerosol::particleArrays::pack(const int i, double* numbers) const
     numbers[11] = range(i);
     Eigen::Map<Eigen::Vector3d>(numbers + 12) = acceleration.col(i);
     Eigen::Map<Eigen::Vector3d>(numbers + 15) = thermal.col(i);
-    numbers[18] = mobility(i);
-    numbers[19] = collision(i);
+    numbers[18] = mobilityDiameter(i);
+    numbers[19] = collisionDiameter(i);
     numbers[20] = response(i).real();
     numbers[21] = response(i).imag();
 
@@ -194,8 +194,8 @@ void Foam::aerosol::particleArrays::unpack(const int i, const double* numbers)
     range(i) = numbers[11];
     acceleration.col(i) = Eigen::Map<const Eigen::Vector3d>(numbers + 12);
     thermal.col(i) = Eigen::Map<const Eigen::Vector3d>(numbers + 15);
-    mobility(i) = numbers[18];
-    collision(i) = numbers[19];
+    mobilityDiameter(i) = numbers[18];
+    collisionDiameter(i) = numbers[19];
     response(i) = {numbers[20], numbers[21]};
 
     if (history.rows())
@@ -230,8 +230,8 @@ Foam::aerosol::particleArrays Foam::aerosol::particleArrays::select
         chosen.response = response(indices);
         chosen.acceleration = acceleration(Eigen::all, indices);
         chosen.range = range(indices);
-        chosen.mobility = mobility(indices);
-        chosen.collision = collision(indices);
+        chosen.mobilityDiameter = mobilityDiameter(indices);
+        chosen.collisionDiameter = collisionDiameter(indices);
     }
 
     if (history.rows())
@@ -261,7 +261,11 @@ void Foam::aerosol::particleArrays::replace
     {
         values->conservativeResize(3, n);
     }
-    for (scalars* values : {&d, &m, &rate, &range, &mobility, &collision})
+    for
+    (
+        scalars* values :
+        {&d, &m, &rate, &range, &mobilityDiameter, &collisionDiameter}
+    )
     {
         values->conservativeResize(n);
     }
@@ -302,8 +306,8 @@ void Foam::aerosol::particleArrays::remove(const std::vector<char>& marked)
         apply(response, all, n);
         apply(acceleration, all, n);
         apply(range, all, n);
-        apply(mobility, all, n);
-        apply(collision, all, n);
+        apply(mobilityDiameter, all, n);
+        apply(collisionDiameter, all, n);
     }
 
     if (history.rows())

@@ -50,6 +50,12 @@ BAD = {
         "exactly one of the entries SPL .* and velocityAmplitude",
     ),
 
+    # Of another name now
+    "carried": (
+        AEROSOL, "domain", "carried { velocity (1 0 0); }\n\ndomain",
+        "Dictionary 'carried' is named 'frame' now",
+    ),
+
     # Too much, or too little
     "twoLevels": (
         ACOUSTIC, "SPL", "velocityAmplitude 1; SPL",

@@ -231,8 +231,8 @@ def test_is_no_swing_for_wakes(tmp_path, meshed, wake):
     rest, alone = separation(wake, 0), separation("none", 0)
     error = np.linalg.norm([
         separation(wake, 1) - rest,
-        separation(wake, 1, "carried { velocity (1 0 0); }") - rest,
-        separation(wake, 0, "carried { velocity (0.5 0 0); }") - rest,
+        separation(wake, 1, "frame { velocity (1 0 0); }") - rest,
+        separation(wake, 0, "frame { velocity (0.5 0 0); }") - rest,
     ])
     wakes = np.linalg.norm(rest - alone)
     print(f"{wake}: {wakes} m by the wakes, {error} m more in a mean flow")

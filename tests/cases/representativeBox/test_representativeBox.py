@@ -161,7 +161,7 @@ def test_a_mean_flow_changes_nothing(tmp_path, meshed, stepping):
     expected = contacts(rest)
     assert len(expected) > 10
 
-    for name, more in ("flow", ""), ("carried", "carried { velocity (5 3 1); }"):
+    for name, more in ("flow", ""), ("carried", "frame { velocity (5 3 1); }"):
         case, other = run(name, "(5 3 1)", more)
         assert steps(other) == steps(log)
         assert contacts(case) == pytest.approx(expected, rel=1e-6)

@@ -79,7 +79,7 @@ def test_are_each_that_of_a_run_of_its_own(tmp_path, meshed):
 @pytest.mark.parametrize("ranks", [3])
 def test_continue_and_do_not_depend_on_the_ranks(tmp_path, meshed, ranks):
     """One box is carried along; half of the run on one rank, half on three."""
-    more = CLOUDS.replace("wake", "carried { velocity (0 0.5 1); } wake")
+    more = CLOUDS.replace("wake", "frame { velocity (0 0.5 1); } wake")
 
     whole = prepare(tmp_path/"whole", meshed, more)
     whole.run("acousticDEMFoam")
@@ -135,7 +135,7 @@ def test_carried_along_sees_what_it_passes(tmp_path, meshed):
     case.write(
         "constant/aerosolProperties",
         (case.path/"constant"/"aerosolProperties").read_text()
-        + "\ncarried { velocity (5 0.1 0); }\n",
+        + "\nframe { velocity (5 0.1 0); }\n",
     )
     # The wall of the mesh at x = end is met on the way
     residence = (end - edge/2 - start)/flow[0]
@@ -195,7 +195,7 @@ def test_carried_along_sees_what_it_passes(tmp_path, meshed):
     ("one 1;", "Entry 'one' is no dictionary"),
     ("", "There are no clouds"),
     ("one { domain { centre (5 0 0); } }", "leaves the mesh"),
-    ("one { carried { speed 1; } }", "'speed'"),
+    ("one { frame { speed 1; } }", "'speed'"),
     ("one { carriage { velocity (1 0 0); } }", "Unknown dictionary 'carriage'"),
 ])
 def test_refuses(box, entries, message):
@@ -228,7 +228,7 @@ aggregate { type none; }
 PLACES = {
     "antinode": "",
     "aside": "domain { centre (0.03 5e-3 5e-3); }",
-    "moving": "domain { centre (0.02 5e-3 5e-3); } carried { velocity (20 0 0); }",
+    "moving": "domain { centre (0.02 5e-3 5e-3); } frame { velocity (20 0 0); }",
 }
 
 

@@ -2,7 +2,7 @@
 
 Two spheres in a gas that swings alike everywhere, each in the wake of the other,
 by the formula of the solver: the flow of Oseen by its slip against the
-undisturbed gas (src/aerosol/motion/wake/OseenWake), and no farther than by
+undisturbed gas (src/aerosol/laws/wake/OseenWake), and no farther than by
 default, where it fades out. All is relative to the gas. Runge and Kutta's fourth
 order, in steps that are short against relaxation times, period and time to
 contact; contacts are those of the chords.

@@ -6,7 +6,7 @@
 #include "analyticSound.H"
 
 #include "checkedDictionary.H"
-#include "vectorEntry.H"
+#include "eigenVector.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 

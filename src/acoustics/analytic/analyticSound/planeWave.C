@@ -7,7 +7,7 @@
 
 #include "checkedEntry.H"
 #include "mathematicalConstants.H"
-#include "vectorEntry.H"
+#include "eigenVector.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -16,7 +16,7 @@ Foam::acoustics::planeWave::planeWave(const dictionary& dict)
     analyticSound(readPositive(dict, "frequency", dimless/dimTime), dict),
     level_(soundLevel::read(dict, gas())),
     direction_(toEigen(readDirection(dict, "direction", vector(1, 0, 0)))),
-    origin_(readVector(dict, "origin", dimLength)),
+    origin_(toEigen(readVector(dict, "origin", dimLength, Zero))),
     phase_(dict.found("phase") ? readFinite(dict, "phase", dimless) : 0),
     mean_(readFlow(dict)),
     omega_(constant::mathematical::twoPi*frequency()),

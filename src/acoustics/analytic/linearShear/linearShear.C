@@ -7,7 +7,7 @@
 
 #include "addToRunTimeSelectionTable.H"
 #include "checkedEntry.H"
-#include "vectorEntry.H"
+#include "eigenVector.H"
 
 #include <algorithm>
 
@@ -32,7 +32,7 @@ Foam::acoustics::linearShear::linearShear(const dictionary& dict)
     (
         toEigen(readDirection(dict, "gradientDirection", vector(0, 1, 0)))
     ),
-    origin_(readVector(dict, "origin", dimLength)),
+    origin_(toEigen(readVector(dict, "origin", dimLength, Zero))),
     velocity_(readFlow(dict)),
     velocityAmplitude_(0)
 {

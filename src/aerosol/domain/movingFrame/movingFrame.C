@@ -5,6 +5,7 @@
 
 #include "movingFrame.H"
 #include "checkedEntry.H"
+#include "eigenVector.H"
 
 #include <algorithm>
 
@@ -32,9 +33,9 @@ Foam::aerosol::movingFrame::movingFrame
 
     const vector V = readVector(dict, "velocity", dimVelocity, vector::zero);
 
-    domainVelocity_ << V.x(), V.y(), V.z();
+    domainVelocity_ = toEigen(V);
 
-    if (carried())
+    if (domainMoves())
     {
         scalar longest = room.first(box, V).time;
 

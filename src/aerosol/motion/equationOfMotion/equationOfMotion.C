@@ -170,8 +170,10 @@ void Foam::aerosol::equationOfMotion::size
     const int i
 ) const
 {
-    p.mobility(i) = aggregate_->mobilityDiameter(p.d(i), p.primaries(i));
-    p.collision(i) = aggregate_->collisionDiameter(p.d(i), p.primaries(i));
+    const auto N = p.primaries(i);
+
+    p.mobilityDiameter(i) = aggregate_->mobilityDiameter(p.d(i), N);
+    p.collisionDiameter(i) = aggregate_->collisionDiameter(p.d(i), N);
 }
 
 
@@ -213,7 +215,7 @@ std::complex<double> Foam::aerosol::equationOfMotion::response
 
             factor = drag_->factor
             (
-                scalars::Constant(1, one.mobility(0)*slip/gas_.nu())
+                scalars::Constant(1, one.mobilityDiameter(0)*slip/gas_.nu())
             )(0);
         }
     }
@@ -299,7 +301,7 @@ void Foam::aerosol::equationOfMotion::move
 {
     const int n = static_cast<int>(gas.u0.cols());
     const bool parabola = gas.um.cols() || wakes.um.cols();
-    const bool kicked = end.kick.x.cols();
+    const bool incremented = end.increment.x.cols();
     const bool unsteady = p.unsteady.cols();
 
     end.x.resize(3, p.size());
@@ -390,7 +392,7 @@ void Foam::aerosol::equationOfMotion::move
 
             for (int l = 0; l < size; ++l)
             {
-                Re(l) = p.mobility(i0 + l)*slip(l)/gas_.nu();
+                Re(l) = p.mobilityDiameter(i0 + l)*slip(l)/gas_.nu();
             }
 
             rate *= drag_->factor(Re);
@@ -412,7 +414,7 @@ void Foam::aerosol::equationOfMotion::move
             block change = u1[c] - u0[c];
 
             v1[c] = v[c] + slip*zA + a[c]*(h*A);
-            block way = v[c] + slip*zB + a[c]*(h*B);
+            block mean = v[c] + slip*zB + a[c]*(h*B);
 
             if (parabola)
             {
@@ -420,22 +422,22 @@ void Foam::aerosol::equationOfMotion::move
 
                 change -= bent;
                 v1[c] += bent*square;
-                way += bent*cube;
+                mean += bent*cube;
             }
 
             v1[c] += change*zB;
-            way += change*zC;
+            mean += change*zC;
 
-            x1[c] = x[c] + h*way;
+            x1[c] = x[c] + h*mean;
         }
 
         store(x1, i0, size, end.x);
         store(v1, i0, size, end.v);
 
-        for (int i = i0; kicked && i < i0 + size; ++i)
+        for (int i = i0; incremented && i < i0 + size; ++i)
         {
-            end.v.col(i) += end.kick.v.col(i);
-            end.x.col(i) += end.kick.x.col(i);
+            end.v.col(i) += end.increment.v.col(i);
+            end.x.col(i) += end.increment.x.col(i);
         }
     }
 }
@@ -490,16 +492,16 @@ void Foam::aerosol::equationOfMotion::accelerate
 }
 
 
-void Foam::aerosol::equationOfMotion::kick
+void Foam::aerosol::equationOfMotion::increment
 (
     const scalar h,
     const particleArrays& p,
     const std::int64_t step,
     const std::uint64_t block,
-    Brownian::kicks& kick
+    Brownian::increments& increment
 ) const
 {
-    Brownian_->kick(p, p.rate, gas_, h, step, block, kick);
+    Brownian_->increment(p, p.rate, gas_, h, step, block, increment);
 }
 
 
@@ -510,8 +512,8 @@ void Foam::aerosol::equationOfMotion::bridge
     const std::int64_t step,
     const std::uint64_t block,
     const int n,
-    const Brownian::kicks& whole,
-    std::vector<Brownian::kicks>& parts
+    const Brownian::increments& whole,
+    std::vector<Brownian::increments>& parts
 ) const
 {
     Brownian_->bridge(p, p.rate, gas_, h, step, block, n, whole, parts);
@@ -546,7 +548,7 @@ void Foam::aerosol::equationOfMotion::cool
     for (int i = 0; i < p.size(); ++i)
     {
         end.thermal.col(i) =
-            std::exp(-h*p.rate(i))*p.thermal.col(i) + end.kick.v.col(i);
+            std::exp(-h*p.rate(i))*p.thermal.col(i) + end.increment.v.col(i);
     }
 }
 
@@ -576,7 +578,7 @@ void Foam::aerosol::equationOfMotion::split
 
         const Eigen::Vector3d before = p.thermal.col(i);
         const Eigen::Vector3d after = end.thermal.col(i);
-        const Eigen::Vector3d mean = A*before + end.kick.x.col(i)/h;
+        const Eigen::Vector3d mean = A*before + end.increment.x.col(i)/h;
 
         end.path0.col(i) = p.v.col(i) - (1 - A)*(before - mean);
         end.path1.col(i) = end.v.col(i) - (1 - A)*(after - mean);
@@ -596,8 +598,8 @@ Foam::aerosol::equationOfMotion::halfway
 
     if (hasBrownian())
     {
-        middle.kick.x = 0.5*end.kick.x;
-        middle.kick.v.setZero(3, p.size());
+        middle.increment.x = 0.5*end.increment.x;
+        middle.increment.v.setZero(3, p.size());
         cool(0.5*h, p, middle);
     }
 
@@ -644,7 +646,7 @@ void Foam::aerosol::equationOfMotion::chooseTolerance(const particleArrays& p)
     (
         slips_.tolerance
         (
-            sized.mobility,
+            sized.mobilityDiameter,
             slipBound::settling
             (
                 drag_->StokesRate(sized, gas_),
@@ -675,7 +677,7 @@ void Foam::aerosol::equationOfMotion::refresh
         scalars::Constant(1, particles.rate(i)),
         particles.acceleration.col(i)
     );
-    const scalar range = wake_->range(one.mobility, slip)(0);
+    const scalar range = wake_->range(one.mobilityDiameter, slip)(0);
 
     particles.range(i) =
         wake_->needsTolerance() && !wake_->ends()
@@ -718,17 +720,17 @@ Foam::aerosol::scalars
 Foam::aerosol::equationOfMotion::gain(const particleArrays& p, const scalar h)
 {
     const scalars longest = relaxationTime(p).min(h);
-    const scalars way =
+    const scalars speed =
         p.acceleration.colwise().norm().transpose().array()*longest;
 
     return
         p.unsteady.cols()
-      ? way + p.unsteady.colwise().norm().transpose().array()*longest
-      : way;
+      ? speed + p.unsteady.colwise().norm().transpose().array()*longest
+      : speed;
 }
 
 
-Foam::aerosol::vectors Foam::aerosol::equationOfMotion::quadrature
+Foam::aerosol::vectors Foam::aerosol::equationOfMotion::imaginarySlip
 (
     const scalars& rate,
     const gasStep& gas,
@@ -813,10 +815,10 @@ Foam::scalar Foam::aerosol::equationOfMotion::fadingSpeed
     {
         block.r[k].setZero();
         block.slip[k].setZero();
-        block.quadrature[k].setZero();
+        block.imaginary[k].setZero();
         block.steady[k].setZero();
     }
-    block.radius = 0.5*p.mobility(i);
+    block.radius = 0.5*p.mobilityDiameter(i);
 
     for (int b = 0; b < wake::blockSize; ++b)
     {
@@ -827,7 +829,7 @@ Foam::scalar Foam::aerosol::equationOfMotion::fadingSpeed
         block.r[0](b) = r*std::cos(angle);
         block.r[1](b) = r*std::sin(angle);
         block.slip[0](b) = slip*std::cos(phase);
-        block.quadrature[0](b) = slip*std::sin(phase);
+        block.imaginary[0](b) = slip*std::sin(phase);
     }
 
     wake_->evaluate(block, gas_);
@@ -869,7 +871,7 @@ void Foam::aerosol::equationOfMotion::wakes
     {
         block.r[k].setOnes();
         block.slip[k].setZero();
-        block.quadrature[k].setZero();
+        block.imaginary[k].setZero();
         block.steady[k].setZero();
     }
     block.radius.setOnes();
@@ -919,12 +921,12 @@ void Foam::aerosol::equationOfMotion::wakes
 
     const double* const x = from.x.data();
     const double* const slip = from.slip.data();
-    const bool withQuadrature = from.quadrature.cols();
-    const double* const quadrature = from.quadrature.data();
+    const bool withImaginary = from.imaginary.cols();
+    const double* const imaginary = from.imaginary.data();
     const double* const steady = from.steady.data();
     const std::vector<wake::path> paths =
-        withQuadrature
-      ? wake_->paths(from.slip - from.steady, from.quadrature)
+        withImaginary
+      ? wake_->paths(from.slip - from.steady, from.imaginary)
       : std::vector<wake::path>();
     const double* const d = from.d.data();
     const double* const ranges = from.range.data();
@@ -961,9 +963,9 @@ void Foam::aerosol::equationOfMotion::wakes
             block.slip[k].data()[n] = U[k];
         }
 
-        for (int k = 0; withQuadrature && k < 3; ++k)
+        for (int k = 0; withImaginary && k < 3; ++k)
         {
-            block.quadrature[k].data()[n] = quadrature[3*pair.j + k];
+            block.imaginary[k].data()[n] = imaginary[3*pair.j + k];
             block.steady[k].data()[n] = steady[3*pair.j + k];
         }
 
@@ -976,8 +978,8 @@ void Foam::aerosol::equationOfMotion::wakes
             share.data()[n] = paths[pair.j].share(r, paths[pair.i]);
         }
 
-        // Counted, not chosen: which is faster than a branch that nobody can
-        // predict
+        // Branch-free: adding the condition is faster than a branch that is
+        // often mispredicted
         n += share.data()[n] > 0;
 
         if (n == wake::blockSize)
@@ -992,7 +994,7 @@ void Foam::aerosol::equationOfMotion::wakes
         {
             block.r[k](b) = 1;
             block.slip[k](b) = 0;
-            block.quadrature[k](b) = 0;
+            block.imaginary[k](b) = 0;
             block.steady[k](b) = 0;
         }
         block.radius(b) = 1;
@@ -1012,14 +1014,14 @@ void Foam::aerosol::equationOfMotion::wakes
     const vectors& v,
     const vectors& u,
     vectors& w,
-    const vectors& quadrature
+    const vectors& imaginary
 ) const
 {
     wakes
     (
         {
-            x, u - v, particles.mobility, particles.range,
-            settling(particles), quadrature
+            x, u - v, particles.mobilityDiameter, particles.range,
+            settling(particles), imaginary
         },
         pairs,
         particles.size(),
@@ -1117,7 +1119,7 @@ void Foam::aerosol::equationOfMotion::step
     {
         wakes
         (
-            p, wakePairs, x, v, u, result, quadrature(p.rate, gas, s, h)
+            p, wakePairs, x, v, u, result, imaginarySlip(p.rate, gas, s, h)
         );
 
         if (outside.u0.cols())

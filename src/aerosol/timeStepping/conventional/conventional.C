@@ -53,7 +53,7 @@ void Foam::aerosol::conventional::advance
 
     const scalar uc = largestSpeed(p, sampleGas(p, t, h), h);
     const int n =
-        std::max(1, int(std::ceil(h*uc/(kc_*smallest(p.collision)))));
+        std::max(1, int(std::ceil(h*uc/(kc_*smallest(p.collisionDiameter)))));
 
     for (int s = 0; s < n; ++s)
     {

@@ -32,8 +32,8 @@ namespace
 constexpr double margin = 3;
 constexpr double encounter = 5;
 
-//- Neighbours within the swing of a source from which on lists are made for one
-//  step only
+//- If a source has more neighbours than this within its oscillation amplitude,
+//  on average, lists are made anew in every step
 constexpr double crowd = 200;
 
 //- How far a particle may get in a step, in its displacement without wakes: the
@@ -47,21 +47,21 @@ constexpr int maxSteps = 64;
 constexpr int maxBrownianSteps = 1024;
 
 //- In standard deviations of the Wiener process: how far a pair is taken to
-//  stray from its straight way, which it exceeds with a probability of 1e-8,
+//  stray from its straight line, which it exceeds with a probability of 1e-8,
 //  and how far for the choice of the steps
 constexpr double strays = 3;
 constexpr double straysOften = 1.5;
 
 
-//- Forget the copies that are in none of the pairs
+//- Remove the ghosts that are in none of the pairs
 void keepNeeded
 (
-    Foam::aerosol::halo& copies,
+    Foam::aerosol::ghosts& layer,
     std::vector<Foam::aerosol::particlePair>& pairs
 )
 {
-    const int n = copies.n();
-    std::vector<char> needed(copies.nCopies(), 0);
+    const int n = layer.n();
+    std::vector<char> needed(layer.nGhosts(), 0);
 
     for (const auto& pair : pairs)
     {
@@ -71,7 +71,7 @@ void keepNeeded
         }
     }
 
-    const std::vector<int> places = copies.keep(needed);
+    const std::vector<int> places = layer.keep(needed);
 
     for (auto& pair : pairs)
     {
@@ -95,7 +95,7 @@ Foam::aerosol::eventDriven::eventDriven
 :
     timeStepping(with),
     resolution_(readFraction(dict, "resolution", 0.25)),
-    listedWakeHalo_(with.region)
+    listedWakeGhosts_(with.region)
 {
     requireOnly(dict, {"type", "resolution"});
 }
@@ -110,20 +110,20 @@ void Foam::aerosol::eventDriven::list
     const scalar h
 )
 {
-    timeStepping::settle(p);
+    timeStepping::migrate(p);
 
     const acoustics::soundField& sound = with_.sound;
     const bool Brownian = with_.motion.hasBrownian();
 
     // Two alike may merge
-    scalars least = with_.motion.growth()*(1 + margin)*0.5*p.collision;
+    scalars least = with_.motion.growth()*(1 + margin)*0.5*p.collisionDiameter;
 
     if (Brownian)
     {
         const Brownian::extent reach = with_.motion.reach(h, p);
 
         least =
-            least.max(0.5*p.collision + strays*reach.stray.sqrt())
+            least.max(0.5*p.collisionDiameter + strays*reach.stray.sqrt())
           + 2*reach.x;
     }
 
@@ -151,7 +151,7 @@ void Foam::aerosol::eventDriven::list
         }
     );
 
-    const scalar furthest = rooms_.make
+    const scalar furthest = skin_.make
     (
         p,
         end.x,
@@ -161,30 +161,30 @@ void Foam::aerosol::eventDriven::list
         h,
         sound.frequency(),
         std::max(sound.velocityAmplitude(), 0.0),
-        bricks::sum(p.size())/with_.region.volume()
+        communicator::sum(p.size())/with_.region.volume()
     );
-    const scalars& room = rooms_.sizes();
+    const scalars& skin = skin_.sizes();
 
-    requireShort(bricks::sum(p.size()) < 2 ? 0.0 : furthest, h);
-    searchContacts(p, rooms_.centres(), room);
+    requireShort(communicator::sum(p.size()) < 2 ? 0.0 : furthest, h);
+    searchContacts(p, skin_.centres(), skin);
     contactCandidates_.swap(contactPairs_);
-    keepNeeded(contactHalo_, contactCandidates_);
+    keepNeeded(contactGhosts_, contactCandidates_);
     fillIds(p);
 
     // For one step only, findWakes looks for them
     listedRange_ = p.range;
-    if (rooms_.lasting())
+    if (skin_.lasting())
     {
         searchWakes
         (
             p,
-            rooms_.centres(),
-            (p.range > 0).select(p.range + room, 0),
-            room
+            skin_.centres(),
+            (p.range > 0).select(p.range + skin, 0),
+            skin
         );
         wakeCandidates_.swap(wakePairs_);
-        listedWakeHalo_ = wakeHalo_;
-        keepNeeded(listedWakeHalo_, wakeCandidates_);
+        listedWakeGhosts_ = wakeGhosts_;
+        keepNeeded(listedWakeGhosts_, wakeCandidates_);
     }
 }
 
@@ -207,7 +207,7 @@ Foam::aerosol::scalars Foam::aerosol::eventDriven::wakesNow
     const int n = p.size();
 
     // The slip of Stokes' response, times the radius; and how far a source gets
-    // when it swings in the gas: who is out of range now may be so no more then
+    // as it oscillates: a particle out of range now may come into range then
     scalars strength(n);
     scalars reach = p.range;
     for (int j = 0; j < n; ++j)
@@ -216,7 +216,7 @@ Foam::aerosol::scalars Foam::aerosol::eventDriven::wakesNow
         const double s = p.rate(j) > 1e-8*omega ? omega/p.rate(j) : 1e8;
         const double slip = s/std::sqrt(1 + s*s)*u0;
 
-        strength(j) = 0.5*p.mobility(j)*slip;
+        strength(j) = 0.5*p.mobilityDiameter(j)*slip;
 
         if (omega > 0 && reach(j) > 0)
         {
@@ -225,7 +225,7 @@ Foam::aerosol::scalars Foam::aerosol::eventDriven::wakesNow
     }
 
     // Pairs per particle
-    const double all = bricks::sum(n);
+    const double all = communicator::sum(n);
     const double volume = with_.region.volume();
     const double meanDistance = std::cbrt(volume/all);
 
@@ -233,29 +233,29 @@ Foam::aerosol::scalars Foam::aerosol::eventDriven::wakesNow
     spheres.row(0) =
         4*EIGEN_PI/3*(reach/meanDistance).cube().matrix().transpose();
 
-    if (bricks::mean(spheres)(0) > crowd)
+    if (communicator::mean(spheres)(0) > crowd)
     {
         return scalars::Constant(n, -1);
     }
 
     searchWakes(p, p.x, reach);
 
-    wakeHalo_.fill
+    wakeGhosts_.fill
     ({
-        {p.x, wakeCopiesX_, wakeHalo_, true},
-        {strength, wakeHalo_},
+        {p.x, wakeGhostX_, wakeGhosts_, true},
+        {strength, wakeGhosts_},
     });
 
     scalars speed = scalars::Zero(n);
 
     for (const particlePair& pair : wakePairs_)
     {
-        const vectors& xj = pair.j < n ? p.x : wakeCopiesX_;
+        const vectors& xj = pair.j < n ? p.x : wakeGhostX_;
         const int column = pair.j < n ? pair.j : pair.j - n;
         const double r = (p.x.col(pair.i) - xj.col(column)).norm();
 
         speed(pair.i) +=
-            1.5*strength(pair.j)/std::max(r, 0.5*p.collision(pair.i));
+            1.5*strength(pair.j)/std::max(r, 0.5*p.collisionDiameter(pair.i));
     }
 
     involve(p);
@@ -271,7 +271,7 @@ Foam::aerosol::scalars Foam::aerosol::eventDriven::wakesNow
             p.v(Eigen::all, involved_), p.thermal(Eigen::all, involved_)
         ),
         air.u0,
-        with_.motion.quadrature(p.rate(involved_), air, 0, h),
+        with_.motion.imaginarySlip(p.rate(involved_), air, 0, h),
         kept, slip, found
     );
 
@@ -286,7 +286,7 @@ void Foam::aerosol::eventDriven::fillIds(const particleArrays& p)
 {
     const scalars id = p.id.cast<double>();
 
-    contactHalo_.fill({{id, copiesId_, contactHalo_}});
+    contactGhosts_.fill({{id, ghostId_, contactGhosts_}});
 }
 
 
@@ -303,33 +303,33 @@ void Foam::aerosol::eventDriven::findWakes
 
     const int n = p.size();
 
-    const scalars way =
+    const scalars displacement =
         wakeMargin
-       *((end.x - p.x).colwise() - commonWay_).colwise().norm().transpose()
-       .array();
-    const scalars reach = (p.range > 0).select(p.range + way, 0);
+       *((end.x - p.x).colwise() - meanDisplacement_).colwise().norm()
+       .transpose().array();
+    const scalars reach = (p.range > 0).select(p.range + displacement, 0);
 
-    bool listed = rooms_.lasting();
+    bool listed = skin_.lasting();
 
-    if (listed && bricks::max(!rooms_.contain(p, way)) > 0)
+    if (listed && communicator::max(!skin_.contain(p, displacement)) > 0)
     {
         listed = false;
-        rooms_.leave();
+        skin_.expire();
     }
 
     if (!listed)
     {
-        // Without what all have moved alike, as in findEncounters
-        searchWakes(p, p.x.colwise() - rooms_.moved(), reach, way);
+        // Less the mean displacement, as in findEncounters
+        searchWakes(p, p.x.colwise() - skin_.moved(), reach, displacement);
         involve(p);
         return;
     }
 
-    wakeHalo_ = listedWakeHalo_;
-    wakeHalo_.fill
+    wakeGhosts_ = listedWakeGhosts_;
+    wakeGhosts_.fill
     ({
-        {p.x, wakeCopiesX_, wakeHalo_, true},
-        {reach, wakeCopiesReach_, wakeHalo_}
+        {p.x, wakeGhostX_, wakeGhosts_, true},
+        {reach, wakeGhostReach_, wakeGhosts_}
     });
 
     wakePairs_.clear();
@@ -339,10 +339,10 @@ void Foam::aerosol::eventDriven::findWakes
         const bool own = pair.j < n;
         const double* const xi = p.x.data() + 3*pair.i;
         const double* const xj =
-            own ? p.x.data() + 3*pair.j : wakeCopiesX_.data() + 3*(pair.j - n);
+            own ? p.x.data() + 3*pair.j : wakeGhostX_.data() + 3*(pair.j - n);
         const double far =
-            (own ? reach(pair.j) : wakeCopiesReach_(pair.j - n))
-          + way(pair.i);
+            (own ? reach(pair.j) : wakeGhostReach_(pair.j - n))
+          + displacement(pair.i);
 
         const double r[3] = {xi[0] - xj[0], xi[1] - xj[1], xi[2] - xj[2]};
 
@@ -376,8 +376,8 @@ std::vector<int> Foam::aerosol::eventDriven::findEncounters
     }
 
     // In the frame of the common motion
-    const Eigen::Vector3d& way = commonWay_;
-    const Eigen::Vector3d mean = way/h;
+    const Eigen::Vector3d& displacement = meanDisplacement_;
+    const Eigen::Vector3d mean = displacement/h;
 
     // Hermite's cubic is no further from its chord than this
     const auto bulgeOf =
@@ -409,7 +409,7 @@ std::vector<int> Foam::aerosol::eventDriven::findEncounters
         const double strayed
     )
     {
-        const Eigen::Vector3d chord = x1 - x0 - way;
+        const Eigen::Vector3d chord = x1 - x0 - displacement;
 
         return sphere
         {
@@ -429,34 +429,34 @@ std::vector<int> Foam::aerosol::eventDriven::findEncounters
         return sphereOf
         (
             p.x.col(i), start.col(i), end.x.col(i), final.col(i),
-            p.collision(i), Brownian ? stray(i) : 0.0
+            p.collisionDiameter(i), Brownian ? stray(i) : 0.0
         );
     };
 
-    const auto sphereOfCopy = [&](const int c)
+    const auto sphereOfGhost = [&](const int c)
     {
         return sphereOf
         (
-            copiesX0_.col(c), copiesV0_.col(c), copiesX1_.col(c),
-            copiesV1_.col(c), copiesD_(c), Brownian ? copiesStray_(c) : 0.0
+            ghostX0_.col(c), ghostV0_.col(c), ghostX1_.col(c),
+            ghostV1_.col(c), ghostD_(c), Brownian ? ghostStray_(c) : 0.0
         );
     };
 
     scalars extra;
     if (Brownian)
     {
-        extra = 0.5*p.collision + strays*stray.sqrt();
+        extra = 0.5*p.collisionDiameter + strays*stray.sqrt();
     }
 
-    const bool held = rooms_.hold
+    const bool held = skin_.hold
     (
-        p, start, end.x, final, h, way, 1 + margin, extra
+        p, start, end.x, final, h, displacement, 1 + margin, extra
     );
-    rooms_.move(way);
+    skin_.move(displacement);
 
-    if (bricks::max(!held) > 0)
+    if (communicator::max(!held) > 0)
     {
-        // The lists lack somebody: search
+        // A particle left its skin, so that pairs may be missing: search
         vectors middle(3, n);
         scalars reach(n);
         double furthest = 0;
@@ -469,11 +469,11 @@ std::vector<int> Foam::aerosol::eventDriven::findEncounters
             furthest = std::max(furthest, 2*(one.middle - p.x.col(i)).norm());
         }
 
-        // What all have moved alike since they were last brought home reaches
-        // nobody: else a mean flow would need ever more copies
-        middle.colwise() -= rooms_.moved() - way;
+        // Less the mean displacement since the last migration, which brings no
+        // particles together: else a mean flow would need ever more ghosts
+        middle.colwise() -= skin_.moved() - displacement;
 
-        rooms_.leave();
+        skin_.expire();
         requireShort(furthest, h);
         searchContacts(p, middle, reach);
         contactCandidates_.swap(contactPairs_);
@@ -490,7 +490,7 @@ std::vector<int> Foam::aerosol::eventDriven::findEncounters
         const int j = pair.j;
 
         const sphere a = sphereOfOwn(i);
-        const sphere b = j < n ? sphereOfOwn(j) : sphereOfCopy(j - n);
+        const sphere b = j < n ? sphereOfOwn(j) : sphereOfGhost(j - n);
         const double sum = a.radius + b.radius;
 
         if ((b.middle - a.middle).squaredNorm() > sum*sum)
@@ -506,7 +506,7 @@ std::vector<int> Foam::aerosol::eventDriven::findEncounters
         Eigen::Vector3d chord = p.x.col(i) - end.x.col(i);
         Eigen::Vector3d v0 = -start.col(i);
         Eigen::Vector3d v1 = -final.col(i);
-        double radii = 0.5*p.collision(i);
+        double radii = 0.5*p.collisionDiameter(i);
 
         if (j < n)
         {
@@ -514,20 +514,20 @@ std::vector<int> Foam::aerosol::eventDriven::findEncounters
             chord += end.x.col(j) - p.x.col(j);
             v0 += start.col(j);
             v1 += final.col(j);
-            radii += 0.5*p.collision(j);
+            radii += 0.5*p.collisionDiameter(j);
         }
         else
         {
             const int c = j - n;
 
-            r0 += copiesX0_.col(c);
-            chord += copiesX1_.col(c) - copiesX0_.col(c);
-            v0 += copiesV0_.col(c);
-            v1 += copiesV1_.col(c);
-            radii += 0.5*copiesD_(c);
+            r0 += ghostX0_.col(c);
+            chord += ghostX1_.col(c) - ghostX0_.col(c);
+            v0 += ghostV0_.col(c);
+            v1 += ghostV1_.col(c);
+            radii += 0.5*ghostD_(c);
         }
 
-        // The closest point of the straight way
+        // The closest point of the straight line
         const double s =
             std::min
             (
@@ -539,7 +539,7 @@ std::vector<int> Foam::aerosol::eventDriven::findEncounters
 
         const double deviation =
             Brownian
-          ? std::sqrt(stray(i) + (j < n ? stray(j) : copiesStray_(j - n)))
+          ? std::sqrt(stray(i) + (j < n ? stray(j) : ghostStray_(j - n)))
           : 0;
 
         if
@@ -602,22 +602,22 @@ void Foam::aerosol::eventDriven::tidy
     {
         if (withWakes && p.range(i) > listedRange_(i))
         {
-            rooms_.shrink(i, p.range(i) - listedRange_(i));
+            skin_.shrink(i, p.range(i) - listedRange_(i));
             listedRange_(i) = p.range(i);
         }
 
-        rooms_.check(i, p.x.col(i), (1 + margin)*0.5*p.collision(i));
+        skin_.check(i, p.x.col(i), (1 + margin)*0.5*p.collisionDiameter(i));
     }
 
     const bool any =
         std::find(absorbed.begin(), absorbed.end(), 1) != absorbed.end();
 
-    if (bricks::max(any) == 0)
+    if (communicator::max(any) == 0)
     {
         return;
     }
 
-    // Where everybody is from now on
+    // The index of each particle from now on
     std::vector<int> places(n);
     int left = 0;
     for (int i = 0; i < n; ++i)
@@ -636,16 +636,16 @@ void Foam::aerosol::eventDriven::tidy
             absorbed.data(), n
         ).cast<double>();
 
-    const auto drop = [&](halo& copies, std::vector<particlePair>& pairs)
+    const auto drop = [&](ghosts& layer, std::vector<particlePair>& pairs)
     {
-        scalars copiesGone;
-        copies.fill({{gone, copiesGone, copies}});
+        scalars ghostsGone;
+        layer.fill({{gone, ghostsGone, layer}});
 
         const auto lost = [&](const particlePair& pair)
         {
             return
                 absorbed[pair.i]
-             || (pair.j < n ? absorbed[pair.j] : copiesGone(pair.j - n));
+             || (pair.j < n ? absorbed[pair.j] : ghostsGone(pair.j - n));
         };
 
         pairs.erase
@@ -653,8 +653,8 @@ void Foam::aerosol::eventDriven::tidy
             std::remove_if(pairs.begin(), pairs.end(), lost), pairs.end()
         );
 
-        keepNeeded(copies, pairs);
-        copies.renumber(places, left);
+        keepNeeded(layer, pairs);
+        layer.renumber(places, left);
 
         for (particlePair& pair : pairs)
         {
@@ -663,18 +663,18 @@ void Foam::aerosol::eventDriven::tidy
         }
     };
 
-    drop(contactHalo_, contactCandidates_);
+    drop(contactGhosts_, contactCandidates_);
 
     if (withWakes)
     {
-        if (rooms_.lasting())
+        if (skin_.lasting())
         {
-            drop(listedWakeHalo_, wakeCandidates_);
+            drop(listedWakeGhosts_, wakeCandidates_);
         }
         remove(listedRange_, absorbed);
     }
 
-    rooms_.remove(absorbed);
+    skin_.remove(absorbed);
     p.remove(absorbed);
     fillIds(p);
 }
@@ -695,7 +695,7 @@ void Foam::aerosol::eventDriven::advance
         return;
     }
 
-    if (bricks::max(rooms_.left()) > 0)
+    if (communicator::max(skin_.expired()) > 0)
     {
         list(p, t, h);
     }
@@ -710,39 +710,40 @@ void Foam::aerosol::eventDriven::advance
     std::vector<int> steps;
     std::vector<char> absorbed;
 
-    // Also without contacts: wakes need to know who leaves
-    if (with_.contacts.active() || with_.motion.hasWakes())
+    // Also without contacts: the lists of wakes depend on the skins
+    if (with_.collisions.active() || with_.motion.hasWakes())
     {
         steps = findEncounters(p, end, h);
     }
 
-    if (with_.contacts.active())
+    if (with_.collisions.active())
     {
-        std::vector<group> groups = gatherGroups(p, gas, end.kick, steps);
+        std::vector<cluster> clusters =
+            gatherClusters(p, gas, end.increment, steps);
 
-        for (group& one : groups)
+        for (cluster& one : clusters)
         {
             follow(one, t, h, 0, 0);
         }
 
-        with_.contacts.share();
+        with_.collisions.share();
 
-        absorbed = disperse(groups, p, end);
+        absorbed = disperse(clusters, p, end);
     }
 
     with_.motion.arrive(p, end);
 
-    if (with_.contacts.active())
+    if (with_.collisions.active())
     {
         tidy(p, absorbed);
     }
 }
 
 
-void Foam::aerosol::eventDriven::settle(particleArrays& p)
+void Foam::aerosol::eventDriven::migrate(particleArrays& p)
 {
-    timeStepping::settle(p);
-    rooms_.leave();
+    timeStepping::migrate(p);
+    skin_.expire();
 }
 
 

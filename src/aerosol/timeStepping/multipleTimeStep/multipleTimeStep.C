@@ -61,7 +61,7 @@ void Foam::aerosol::multipleTimeStep::advance
         std::max
         (
             1,
-            int(std::ceil(h/nParticle*uc/(kc_*smallest(p.collision))))
+            int(std::ceil(h/nParticle*uc/(kc_*smallest(p.collisionDiameter))))
         );
 
     nestedSteps(p, gas, t, h, nParticle, nCollision);

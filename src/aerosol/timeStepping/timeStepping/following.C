@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 -------------------------------------------------------------------------------
 Description
-    The part of timeStepping that follows a group, from contact to contact.
+    The part of timeStepping that follows a cluster, from contact to contact.
 
 \*---------------------------------------------------------------------------*/
 
@@ -18,7 +18,7 @@ Description
 Foam::aerosol::timeStepping::gasStep
 Foam::aerosol::timeStepping::outsideWakes
 (
-    const group& one,
+    const cluster& one,
     const std::vector<particlePair>& wakePairs,
     const scalar h
 ) const
@@ -44,9 +44,9 @@ Foam::aerosol::timeStepping::outsideWakes
         with_.motion.wakes
         (
             {
-                x, slip, one.p.mobility, one.p.range,
+                x, slip, one.p.mobilityDiameter, one.p.range,
                 with_.motion.settling(one.p),
-                with_.motion.quadrature(one.p.rate, one.gas, s, h)
+                with_.motion.imaginarySlip(one.p.rate, one.gas, s, h)
             },
             wakePairs,
             one.p.size(),
@@ -91,7 +91,7 @@ Foam::aerosol::timeStepping::bothWays(const std::vector<particlePair>& pairs)
 
 std::pair<Foam::scalar, int> Foam::aerosol::timeStepping::firstContact
 (
-    const group& one,
+    const cluster& one,
     const equationOfMotion::state& end,
     const scalar h,
     const int nCollision,
@@ -122,15 +122,16 @@ std::pair<Foam::scalar, int> Foam::aerosol::timeStepping::firstContact
             p.x.col(j) + shift(pair), p.v.col(j),
             end.x.col(j) + shift(pair), end.v.col(j), h
         );
-        const double touch = 0.5*(p.collision(i) + p.collision(j));
+        const double touch =
+            0.5*(p.collisionDiameter(i) + p.collisionDiameter(j));
 
         if (a.staysAwayFrom(b, touch))
         {
             continue;
         }
 
-        // Who has bounced off is in touch, and free to come back
-        if (with_.contacts.bounces())
+        // A pair that has just bounced is in contact, and may meet again
+        if (with_.collisions.bounces())
         {
             const double when = particlePath::firstApproach(a, b, touch);
 
@@ -141,8 +142,9 @@ std::pair<Foam::scalar, int> Foam::aerosol::timeStepping::firstContact
             continue;
         }
 
-        // Who touched without sticking does so again only after a separation
-        const bool onlyNew = with_.contacts.refused(p.id(i), p.id(j));
+        // A pair that touched without sticking must separate before it touches
+        // again
+        const bool onlyNew = with_.collisions.refused(p.id(i), p.id(j));
 
         const double when =
             nCollision > 0
@@ -169,7 +171,7 @@ void Foam::aerosol::timeStepping::redirect
 )
 {
     // Pairs of the absorbed one become pairs of the survivor, which is where
-    // the absorbed one's copy at `image` was
+    // the absorbed one's ghost at `image` was
     for (particlePair& pair : pairs)
     {
         for (int k = 0; k < 3; ++k)
@@ -194,7 +196,7 @@ void Foam::aerosol::timeStepping::redirect
         }
     }
 
-    // Those who were neighbours of both are now there twice
+    // The neighbours of both are now listed twice
     std::vector<particlePair> kept;
     std::unordered_set<std::int64_t> known;
 
@@ -215,7 +217,7 @@ void Foam::aerosol::timeStepping::redirect
 
 void Foam::aerosol::timeStepping::follow
 (
-    group& one,
+    cluster& one,
     const scalar t,
     const scalar h,
     const int nCollision,
@@ -228,7 +230,8 @@ void Foam::aerosol::timeStepping::follow
         return;
     }
 
-    // Distance from contact that is no distance, in distances
+    // Gap below which two particles count as touching, relative to the distance
+    // of contact
     constexpr double closed = 1e-10;
 
     particleArrays& p = one.p;
@@ -254,7 +257,7 @@ void Foam::aerosol::timeStepping::follow
             nIterations,
             to
         );
-        effort_.groupMoves += p.size();
+        effort_.clusterMoves += p.size();
     };
 
     while (h - now > 1e-9*longest)
@@ -278,7 +281,7 @@ void Foam::aerosol::timeStepping::follow
         // To the contact, by the motion itself rather than by its path
         const particlePair pair = one.contactPairs[found.second];
         const double touch =
-            0.5*(p.collision(pair.i) + p.collision(pair.j));
+            0.5*(p.collisionDiameter(pair.i) + p.collisionDiameter(pair.j));
         scalar when = found.first;
 
         for (int n = 0; n < 5 && when > 1e-9*longest; ++n)
@@ -322,22 +325,22 @@ void Foam::aerosol::timeStepping::follow
         encounter.step = step_;
         encounter.number = block(noise::whole, part, nContacts++);
 
-        // In touch on its path, but by its motion only nearly so
-        if (with_.contacts.bounces() && encounter.approach() <= 0)
+        // In contact on its path, but by its motion only nearly so
+        if (with_.collisions.bounces() && encounter.approach() <= 0)
         {
             leftOut[found.second] = 1;
             continue;
         }
 
-        const int survivor = with_.contacts.meet(p, encounter);
+        const int survivor = with_.collisions.meet(p, encounter);
 
-        if (survivor == contacts::passed)
+        if (survivor == collisions::passed)
         {
             leftOut[found.second] = 1;
             continue;
         }
 
-        if (survivor == contacts::bounced)
+        if (survivor == collisions::bounced)
         {
             end.v.col(pair.i) = p.v.col(pair.i);
             end.v.col(pair.j) = p.v.col(pair.j);
@@ -379,7 +382,7 @@ void Foam::aerosol::timeStepping::follow
         leftOut.assign(one.contactPairs.size(), 0);
     }
 
-    one.absorbed = with_.contacts.takeAbsorbed(p.size());
+    one.absorbed = with_.collisions.takeAbsorbed(p.size());
 }
 
 

@@ -30,7 +30,7 @@ void Foam::aerosol::timeStepping::searchWakes
     const particleArrays& p,
     vectors x,
     const scalars& reach,
-    const scalars& room
+    const scalars& skin
 )
 {
     wakePairs_.clear();
@@ -40,29 +40,29 @@ void Foam::aerosol::timeStepping::searchWakes
         return;
     }
 
-    const bool mutual = room.size();
+    const bool mutual = skin.size();
 
-    scalars reaches = mutual ? scalars(reach.max(room)) : reach;
-    scalars rooms = room;
+    scalars reaches = mutual ? scalars(reach.max(skin)) : reach;
+    scalars skins = skin;
     scalars id = p.id.cast<double>();
 
-    wakeHalo_.build(x, reaches, mutual);
+    wakeGhosts_.build(x, reaches, mutual);
 
-    std::vector<halo::quantity> quantities
+    std::vector<ghosts::quantity> quantities
     {
-        {x, wakeHalo_, true}, {reaches, wakeHalo_}, {id, wakeHalo_}
+        {x, wakeGhosts_, true}, {reaches, wakeGhosts_}, {id, wakeGhosts_}
     };
     if (mutual)
     {
-        quantities.push_back({rooms, wakeHalo_});
+        quantities.push_back({skins, wakeGhosts_});
     }
-    wakeHalo_.fill(quantities);
+    wakeGhosts_.fill(quantities);
 
     grid_.build(x, reaches);
 
     if (mutual)
     {
-        grid_.acting(p.size(), id, rooms, wakePairs_);
+        grid_.acting(p.size(), id, skins, wakePairs_);
     }
     else
     {
@@ -84,8 +84,8 @@ void Foam::aerosol::timeStepping::involve(const particleArrays& p)
 
     const int n = p.size();
 
-    // Only those copies that somebody feels
-    std::vector<char> felt(wakeHalo_.nCopies(), 0);
+    // Only those ghosts that act on a particle
+    std::vector<char> felt(wakeGhosts_.nGhosts(), 0);
 
     for (const particlePair& pair : wakePairs_)
     {
@@ -95,9 +95,9 @@ void Foam::aerosol::timeStepping::involve(const particleArrays& p)
         }
     }
 
-    const std::vector<int> copies = wakeHalo_.keep(felt);
+    const std::vector<int> kept = wakeGhosts_.keep(felt);
 
-    std::vector<char> marks = wakeHalo_.sent();
+    std::vector<char> marks = wakeGhosts_.sent();
 
     for (const particlePair& pair : wakePairs_)
     {
@@ -127,31 +127,31 @@ void Foam::aerosol::timeStepping::involve(const particleArrays& p)
     {
         pair.i = place_[pair.i];
         pair.j =
-            pair.j < n ? place_[pair.j] : nInvolved + copies[pair.j - n];
+            pair.j < n ? place_[pair.j] : nInvolved + kept[pair.j - n];
     }
 
-    wakeHalo_.renumber(place_, nInvolved);
+    wakeGhosts_.renumber(place_, nInvolved);
 
-    sources_.x.resize(3, wakeHalo_.size());
-    sources_.slip.resize(3, wakeHalo_.size());
+    sources_.x.resize(3, wakeGhosts_.size());
+    sources_.slip.resize(3, wakeGhosts_.size());
 
-    sources_.d = p.mobility(involved_);
+    sources_.d = p.mobilityDiameter(involved_);
     sources_.range = p.range(involved_);
 
-    std::vector<halo::quantity> quantities
+    std::vector<ghosts::quantity> quantities
     {
-        {sources_.d, wakeHalo_}, {sources_.range, wakeHalo_}
+        {sources_.d, wakeGhosts_}, {sources_.range, wakeGhosts_}
     };
 
     if (with_.motion.wakeModel().omega() > 0)
     {
         const vectors all = with_.motion.settling(p);
-        sources_.steady.resize(3, wakeHalo_.size());
+        sources_.steady.resize(3, wakeGhosts_.size());
         sources_.steady.leftCols(nInvolved) = all(Eigen::all, involved_);
-        quantities.push_back({sources_.steady, wakeHalo_, false});
+        quantities.push_back({sources_.steady, wakeGhosts_, false});
     }
 
-    wakeHalo_.fill(quantities);
+    wakeGhosts_.fill(quantities);
 }
 
 
@@ -160,7 +160,7 @@ void Foam::aerosol::timeStepping::wakesAt
     const vectors& x,
     const vectors& v,
     const vectors& u,
-    const vectors& quadrature,
+    const vectors& imaginary,
     vectors& keptX,
     vectors& keptSlip,
     vectors& w
@@ -171,21 +171,21 @@ void Foam::aerosol::timeStepping::wakesAt
     sources_.x.leftCols(x.cols()) = keptX;
     sources_.slip.leftCols(x.cols()) = keptSlip;
 
-    std::vector<halo::quantity> quantities
+    std::vector<ghosts::quantity> quantities
     {
-        {sources_.x, wakeHalo_, true},
-        {sources_.slip, wakeHalo_, false}
+        {sources_.x, wakeGhosts_, true},
+        {sources_.slip, wakeGhosts_, false}
     };
 
-    // Also where nobody is involved: all ranks exchange the same
+    // Also on ranks without wakes: all ranks exchange the same quantities
     if (with_.motion.wakeModel().omega() > 0)
     {
-        sources_.quadrature.resize(3, sources_.x.cols());
-        sources_.quadrature.leftCols(x.cols()) = quadrature;
-        quantities.push_back({sources_.quadrature, wakeHalo_, false});
+        sources_.imaginary.resize(3, sources_.x.cols());
+        sources_.imaginary.leftCols(x.cols()) = imaginary;
+        quantities.push_back({sources_.imaginary, wakeGhosts_, false});
     }
 
-    wakeHalo_.fill(quantities);
+    wakeGhosts_.fill(quantities);
 
     with_.motion.wakes(sources_, wakePairs_, x.cols(), w);
 }
@@ -218,7 +218,7 @@ void Foam::aerosol::timeStepping::moveWithoutWakes
     ++effort_.particleSteps;
     effort_.particleMoves += p.size();
 
-    motion.kick(h, p, step_, block(noise::whole, part), end.kick);
+    motion.increment(h, p, step_, block(noise::whole, part), end.increment);
 
     // Also where there are none, or none any more
     end.x.resize(3, p.size());
@@ -240,7 +240,7 @@ void Foam::aerosol::timeStepping::moveWithoutWakes
         }
     );
 
-    commonWay_ = h*bricks::mean((end.x - p.x)/h);
+    meanDisplacement_ = h*communicator::mean((end.x - p.x)/h);
 }
 
 
@@ -276,7 +276,7 @@ void Foam::aerosol::timeStepping::moveInWakes
     const gasStep air = gas.some(involved_);
 
     equationOfMotion::state there;
-    there.kick = {select(end.kick.v), select(end.kick.x)};
+    there.increment = {select(end.increment.v), select(end.increment.x)};
 
     // The thermal velocity at the end is that of drag and noise alone
     motion.cool(h, q, there);
@@ -298,7 +298,7 @@ void Foam::aerosol::timeStepping::moveInWakes
 
         wakesAt
         (
-            x, v, u, motion.quadrature(q.rate, air, s, h),
+            x, v, u, motion.imaginarySlip(q.rate, air, s, h),
             part(wakesX_), part(wakesSlip_), result
         );
     };

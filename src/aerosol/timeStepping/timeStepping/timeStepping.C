@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "timeStepping.H"
+#include "eigenVector.H"
 #include "selectModel.H"
 
 #include <cmath>
@@ -29,12 +30,6 @@ namespace
 //  in space
 constexpr int sortInterval = 50;
 
-
-Eigen::Vector3d corner(const Foam::vector& x)
-{
-    return {x.x(), x.y(), x.z()};
-}
-
 } // End anonymous namespace
 
 
@@ -45,10 +40,10 @@ Foam::aerosol::timeStepping::timeStepping(const tools& with)
     with_(with),
     step_(0),
     sorted_(0),
-    wakeHalo_(with.region),
+    wakeGhosts_(with.region),
     withMiddle_(false),
-    commonWay_(Eigen::Vector3d::Zero()),
-    contactHalo_(with.region)
+    meanDisplacement_(Eigen::Vector3d::Zero()),
+    contactGhosts_(with.region)
 {}
 
 
@@ -74,14 +69,14 @@ Foam::aerosol::timeStepping::New
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
-void Foam::aerosol::timeStepping::settle(particleArrays& p)
+void Foam::aerosol::timeStepping::migrate(particleArrays& p)
 {
     with_.region.confine(p.x);
-    contactHalo_.owners().settle(p);
+    contactGhosts_.owners().migrate(p);
 
     if (step_ - sorted_ >= sortInterval)
     {
-        searchGrid::sort(p);
+        cellGrid::sort(p);
         sorted_ = step_;
     }
 }
@@ -118,7 +113,7 @@ bool Foam::aerosol::timeStepping::begin
         );
     }
 
-    return bricks::max(p.size()) > 0;
+    return communicator::max(p.size()) > 0;
 }
 
 
@@ -135,15 +130,15 @@ Foam::aerosol::timeStepping::sampleGas
 {
     gasStep gas;
 
-    // Who has left the domain finds the gas that is where the border says
+    // Sample outside positions at their wrapped place
     with_.region.confine(x);
 
     with_.sound.velocityAt(t, x, response, gas.u0);
 
     // Where a particle will be at the end matters to second order; just across
     // the border of the domain the gas is that at the border
-    const Eigen::Vector3d lower = corner(with_.region.bounds().min());
-    const Eigen::Vector3d upper = corner(with_.region.bounds().max());
+    const Eigen::Vector3d lower = toEigen(with_.region.bounds().min());
+    const Eigen::Vector3d upper = toEigen(with_.region.bounds().max());
 
     vectors x1(3, x.cols());
 
@@ -252,7 +247,7 @@ Foam::aerosol::scalars Foam::aerosol::timeStepping::relativeSpeed
 ) const
 {
     const vectors drift = p.v - p.thermal;
-    const Eigen::Vector3d mean = bricks::mean(drift);
+    const Eigen::Vector3d mean = communicator::mean(drift);
 
     const auto speed = [&](const vectors& v)
     {
@@ -279,49 +274,49 @@ Foam::scalar Foam::aerosol::timeStepping::largestSpeed
           + nDeviations*with_.motion.reach(h, p).v;
     }
 
-    return 2*bricks::max(speed.size() ? speed.maxCoeff() : 0.0);
+    return 2*communicator::max(speed.size() ? speed.maxCoeff() : 0.0);
 }
 
 
 Foam::scalar Foam::aerosol::timeStepping::smallest(const scalars& values)
 {
-    return bricks::min(values.size() ? values.minCoeff() : VGREAT);
+    return communicator::min(values.size() ? values.minCoeff() : VGREAT);
 }
 
 
-Foam::aerosol::scalars Foam::aerosol::timeStepping::relativeWay
+Foam::aerosol::scalars Foam::aerosol::timeStepping::relativeDisplacement
 (
     const particleArrays& p,
     const gasStep& gas,
     const scalar h
 ) const
 {
-    scalars way = h*(relativeSpeed(p, gas) + with_.motion.gain(p, h));
+    scalars displacement = h*(relativeSpeed(p, gas) + with_.motion.gain(p, h));
 
     if (with_.motion.hasBrownian())
     {
-        way +=
+        displacement +=
             p.thermal.colwise().norm().transpose().array()
            *with_.motion.relaxationTime(p).min(h)
           + nDeviations*with_.motion.reach(h, p).x;
     }
 
-    // A single one may go as far as it likes
-    const bool alone = bricks::sum(p.size()) < 2;
+    // Without another particle there is no limit
+    const bool alone = communicator::sum(p.size()) < 2;
 
-    requireShort(p.size() && !alone ? way.maxCoeff() : 0.0, h);
+    requireShort(p.size() && !alone ? displacement.maxCoeff() : 0.0, h);
 
-    return way;
+    return displacement;
 }
 
 
 void Foam::aerosol::timeStepping::requireShort
 (
-    const scalar way,
+    const scalar displacement,
     const scalar h
 ) const
 {
-    const scalar furthest = bricks::max(way);
+    const scalar furthest = communicator::max(displacement);
     const scalar shortest = with_.region.bounds().minDim();
 
     if (furthest > shortest)
@@ -377,7 +372,7 @@ void Foam::aerosol::timeStepping::nestedSteps
         with_.motion.arrive(p, end);
         now.u0.swap(now.u1);
 
-        // Who has merged or bounced is not where it was listed
+        // Merged and bounced particles are not where they were listed
         if (met)
         {
             p.remove(absorbed);
@@ -393,7 +388,7 @@ void Foam::aerosol::timeStepping::nestedSteps
         }
     }
 
-    settle(p);
+    migrate(p);
 }
 
 
@@ -406,29 +401,28 @@ void Foam::aerosol::timeStepping::searchContacts
 {
     contactPairs_.clear();
 
-    if (!with_.contacts.active())
+    if (!with_.collisions.active())
     {
         return;
     }
 
-    contactHalo_.build(x, reach, true);
+    contactGhosts_.build(x, reach, true);
 
     vectors places = x;
     scalars reaches = reach;
     scalars id = p.id.cast<double>();
 
-    contactHalo_.fill
+    contactGhosts_.fill
     ({
-        {places, contactHalo_, true},
-        {reaches, contactHalo_},
-        {id, contactHalo_}
+        {places, contactGhosts_, true},
+        {reaches, contactGhosts_},
+        {id, contactGhosts_}
     });
 
-    copiesId_ = id.tail(contactHalo_.nCopies());
+    ghostId_ = id.tail(contactGhosts_.nGhosts());
 
     grid_.build(places, reaches);
     grid_.touching(p.size(), id, contactPairs_);
-
 }
 
 
@@ -441,22 +435,22 @@ void Foam::aerosol::timeStepping::fillPaths
 {
     const bool Brownian = with_.motion.hasBrownian();
 
-    std::vector<halo::quantity> quantities
+    std::vector<ghosts::quantity> quantities
     {
-        {p.x, copiesX0_, contactHalo_, true},
-        {Brownian ? end.path0 : p.v, copiesV0_, contactHalo_, false},
-        {end.x, copiesX1_, contactHalo_, true},
-        {Brownian ? end.path1 : end.v, copiesV1_, contactHalo_, false},
-        {p.collision, copiesD_, contactHalo_}
+        {p.x, ghostX0_, contactGhosts_, true},
+        {Brownian ? end.path0 : p.v, ghostV0_, contactGhosts_, false},
+        {end.x, ghostX1_, contactGhosts_, true},
+        {Brownian ? end.path1 : end.v, ghostV1_, contactGhosts_, false},
+        {p.collisionDiameter, ghostD_, contactGhosts_}
     };
 
     if (Brownian)
     {
         stray_ = with_.motion.reach(h, p).stray;
-        quantities.push_back({stray_, copiesStray_, contactHalo_});
+        quantities.push_back({stray_, ghostStray_, contactGhosts_});
     }
 
-    contactHalo_.fill(quantities);
+    contactGhosts_.fill(quantities);
 }
 
 
@@ -493,12 +487,13 @@ void Foam::aerosol::timeStepping::search
     const scalar h
 )
 {
-    const scalars way = relativeWay(p, gas, h);
-    const scalar furthest = bricks::max(p.size() ? way.maxCoeff() : 0.0);
+    const scalars displacement = relativeDisplacement(p, gas, h);
+    const scalar furthest =
+        communicator::max(p.size() ? displacement.maxCoeff() : 0.0);
 
     searchWakes
     (
-        p, p.x, (p.range > 0).select(p.range + way + furthest, p.range)
+        p, p.x, (p.range > 0).select(p.range + displacement + furthest, p.range)
     );
     involve(p);
 
@@ -508,7 +503,7 @@ void Foam::aerosol::timeStepping::search
     // next step.
     const scalar drawn = with_.motion.hasWakes() ? 2*furthest : 0;
 
-    searchContacts(p, p.x, 0.5*p.collision + way + drawn);
+    searchContacts(p, p.x, 0.5*p.collisionDiameter + displacement + drawn);
     effort_.contactPairs += contactPairs_.size();
 }
 
@@ -540,16 +535,16 @@ Foam::aerosol::particlePath Foam::aerosol::timeStepping::pathOf
     const scalar h
 ) const
 {
-    if (i < contactHalo_.n())
+    if (i < contactGhosts_.n())
     {
         return pathOfOwn(p, end, i, h);
     }
 
-    const int c = i - contactHalo_.n();
+    const int c = i - contactGhosts_.n();
 
     return
     {
-        copiesX0_.col(c), copiesV0_.col(c), copiesX1_.col(c), copiesV1_.col(c),
+        ghostX0_.col(c), ghostV0_.col(c), ghostX1_.col(c), ghostV1_.col(c),
         h
     };
 }
@@ -567,7 +562,7 @@ bool Foam::aerosol::timeStepping::meet
     std::vector<char>& absorbed
 )
 {
-    if (!with_.contacts.active())
+    if (!with_.collisions.active())
     {
         return false;
     }
@@ -585,16 +580,16 @@ bool Foam::aerosol::timeStepping::meet
     {
         const int i = contactPairs_[k].i;
         const int j = contactPairs_[k].j;
-        const int n = contactHalo_.n();
+        const int n = contactGhosts_.n();
 
-        const scalar dj = j < n ? p.collision(j) : copiesD_(j - n);
-        const scalar touch = 0.5*(p.collision(i) + dj);
+        const scalar dj = j < n ? p.collisionDiameter(j) : ghostD_(j - n);
+        const scalar touch = 0.5*(p.collisionDiameter(i) + dj);
 
         const particlePath a = pathOf(p, end, i, h);
         const particlePath b = pathOf(p, end, j, h);
 
         const scalar variance =
-            Brownian ? stray_(i) + (j < n ? stray_(j) : copiesStray_(j - n))
+            Brownian ? stray_(i) + (j < n ? stray_(j) : ghostStray_(j - n))
           : 0;
 
         if (a.staysAwayFrom(b, touch + nDeviations*std::sqrt(variance)))
@@ -604,14 +599,14 @@ bool Foam::aerosol::timeStepping::meet
 
         ++effort_.collisionPairs;
 
-        const std::int64_t idJ = j < n ? p.id(j) : copiesId_(j - n);
+        const std::int64_t idJ = j < n ? p.id(j) : ghostId_(j - n);
 
         if
         (
             particlePath::firstOverlap
             (
                 a, b, touch, h/nCollision,
-                with_.contacts.refused(p.id(i), idJ)
+                with_.collisions.refused(p.id(i), idJ)
             )
          <= h
          || (
@@ -632,22 +627,22 @@ bool Foam::aerosol::timeStepping::meet
         }
     }
 
-    if (bricks::max(found) == 0)
+    if (communicator::max(found) == 0)
     {
         return false;
     }
 
-    std::vector<group> groups =
-        gatherGroups(p, gasAtHand(gas), end.kick, steps);
+    std::vector<cluster> clusters =
+        gatherClusters(p, gasAtHand(gas), end.increment, steps);
 
-    for (group& one : groups)
+    for (cluster& one : clusters)
     {
         follow(one, t, h, nCollision, part);
     }
 
-    with_.contacts.share();
+    with_.collisions.share();
 
-    absorbed = disperse(groups, p, end);
+    absorbed = disperse(clusters, p, end);
 
     return true;
 }

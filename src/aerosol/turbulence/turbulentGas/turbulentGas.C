@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "turbulentGas.H"
+#include "eigenVector.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -21,21 +22,19 @@ Foam::aerosol::turbulentGas::turbulentGas
     begin_(0),
     step_(0),
     speeds_(Eigen::Matrix3d::Zero()),
-    way_(Eigen::Vector3d::Zero())
+    displacement_(Eigen::Vector3d::Zero())
 {
-    const point middle = region.bounds().centre();
-
-    centre_ = Eigen::Vector3d(middle.x(), middle.y(), middle.z());
+    centre_ = toEigen(region.bounds().centre());
 }
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Eigen::Vector3d
-Foam::aerosol::turbulentGas::rounded(const Eigen::Vector3d& way) const
+Foam::aerosol::turbulentGas::rounded(const Eigen::Vector3d& displacement) const
 {
     const Eigen::Array3d within =
-        way.array() - period_*(way.array()/period_).round();
+        displacement.array() - period_*(displacement.array()/period_).round();
 
     return ((within*0x1p56).round()*0x1p-56).matrix();
 }
@@ -45,7 +44,7 @@ Eigen::Vector3d Foam::aerosol::turbulentGas::wayAt(const scalar t) const
 {
     if (step_ <= 0)
     {
-        return way_;
+        return displacement_;
     }
 
     const scalar s = (t - begin_)/step_;
@@ -58,7 +57,7 @@ Eigen::Vector3d Foam::aerosol::turbulentGas::wayAt(const scalar t) const
         s*s*(-0.5 + s*2/3)
     );
 
-    return way_ + step_*(speeds_*share);
+    return displacement_ + step_*(speeds_*share);
 }
 
 
@@ -83,7 +82,7 @@ void Foam::aerosol::turbulentGas::follow(const scalar t, const scalar h)
         return;
     }
 
-    way_ = way();
+    displacement_ = displacement();
     begin_ = t;
     step_ = h;
 
@@ -97,16 +96,19 @@ void Foam::aerosol::turbulentGas::follow(const scalar t, const scalar h)
 }
 
 
-Eigen::Vector3d Foam::aerosol::turbulentGas::way() const
+Eigen::Vector3d Foam::aerosol::turbulentGas::displacement() const
 {
     return rounded(wayAt(begin_ + step_));
 }
 
 
-void Foam::aerosol::turbulentGas::setWay(const Eigen::Vector3d& way)
+void Foam::aerosol::turbulentGas::setDisplacement
+(
+    const Eigen::Vector3d& displacement
+)
 {
     step_ = 0;
-    way_ = rounded(way);
+    displacement_ = rounded(displacement);
 }
 
 

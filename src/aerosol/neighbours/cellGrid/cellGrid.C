@@ -1,0 +1,371 @@
+/*---------------------------------------------------------------------------*\
+    acousticDEM: acoustic agglomeration of aerosols
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "cellGrid.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Particles that are looked at together
+constexpr int lot = 8;
+using block = Eigen::Array<double, lot, 1>;
+
+//- Further away than anything, but with a finite square
+constexpr double farAway = 1e100;
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class Visitor>
+void Foam::aerosol::cellGrid::visit
+(
+    const int own,
+    const double radius,
+    Visitor&& visitor
+)
+{
+    const std::array<double, 3> centre{x_[0][own], x_[1][own], x_[2][own]};
+    const double radiusSqr = radius*radius;
+
+    // A little more, lest rounding hides a particle on the face of a cell
+    const double r = radius*(1 + 1e-9);
+
+    std::array<int, 3> lo;
+    std::array<int, 3> hi;
+
+    for (int k = 0; k < 3; ++k)
+    {
+        lo[k] = cellIndex(centre[k] - r, k);
+        hi[k] = cellIndex(centre[k] + r, k);
+    }
+
+    // It does not find itself: almost all looks are in vain, and quick
+    x_[0][own] = farAway;
+
+    for (int cx = lo[0]; cx <= hi[0]; ++cx)
+    {
+        for (int cy = lo[1]; cy <= hi[1]; ++cy)
+        {
+            // Cells of a row are next to one another: a single run
+            const int row = (cx*cells_[1] + cy)*cells_[2];
+            const int end = start_[row + hi[2] + 1];
+
+            for (int m = start_[row + lo[2]]; m < end; m += lot)
+            {
+                const block distanceSqr =
+                    (Eigen::Map<const block>(x_[0].data() + m) - centre[0])
+                   .square()
+                  + (Eigen::Map<const block>(x_[1].data() + m) - centre[1])
+                   .square()
+                  + (Eigen::Map<const block>(x_[2].data() + m) - centre[2])
+                   .square();
+
+                if (distanceSqr.minCoeff() <= radiusSqr)
+                {
+                    const int size = std::min(lot, end - m);
+
+                    for (int l = 0; l < size; ++l)
+                    {
+                        if (distanceSqr(l) <= radiusSqr)
+                        {
+                            visitor(m + l, distanceSqr(l));
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    x_[0][own] = centre[0];
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::aerosol::cellGrid::build(const vectors& x, const scalars& reach)
+{
+    const int n = static_cast<int>(reach.size());
+
+    Eigen::Array3d span = Eigen::Array3d::Zero();
+    origin_.setZero();
+
+    if (n)
+    {
+        origin_ = x.rowwise().minCoeff().array();
+        span = x.rowwise().maxCoeff().array() - origin_;
+    }
+
+    // About three particles per cell, also if all are in a plane or on a line
+    const double longest = std::max(span.maxCoeff(), 1e-30);
+    const Eigen::Array3d edge = span.max(1e-3*longest);
+    const double size = std::cbrt(3*edge.prod()/std::max(n, 1));
+
+    for (int k = 0; k < 3; ++k)
+    {
+        cells_[k] = std::max(1, static_cast<int>(edge(k)/size));
+        inverseSize_(k) = cells_[k]/edge(k);
+    }
+
+    // Counting sort, which keeps the order of the particles in a cell
+    start_.assign(cells_[0]*cells_[1]*cells_[2] + 1, 0);
+    cellOf_.resize(n);
+    reach_.resize(n);
+    index_.resize(n);
+    for (std::vector<double>& x : x_)
+    {
+        x.resize(n + lot);
+        std::fill(x.end() - lot, x.end(), farAway);
+    }
+
+    for (int i = 0; i < n; ++i)
+    {
+        const int cell =
+            (cellIndex(x(0, i), 0)*cells_[1] + cellIndex(x(1, i), 1))*cells_[2]
+          + cellIndex(x(2, i), 2);
+
+        cellOf_[i] = cell;
+        ++start_[cell + 1];
+    }
+
+    for (std::size_t c = 1; c < start_.size(); ++c)
+    {
+        start_[c] += start_[c - 1];
+    }
+
+    for (int i = n - 1; i >= 0; --i)
+    {
+        const int place = --start_[cellOf_[i] + 1];
+
+        x_[0][place] = x(0, i);
+        x_[1][place] = x(1, i);
+        x_[2][place] = x(2, i);
+        reach_[place] = reach(i);
+        index_[place] = i;
+    }
+
+    // start_[c + 1] is now where cell c begins
+    start_.erase(start_.begin());
+    start_.push_back(n);
+}
+
+
+void Foam::aerosol::cellGrid::touching
+(
+    const int n,
+    const scalars& id,
+    std::vector<particlePair>& pairs
+)
+{
+    pairs.clear();
+
+    // In the order of the grid: neighbours are next to one another in memory
+    for (int own = 0; own < static_cast<int>(index_.size()); ++own)
+    {
+        const double reach = reach_[own];
+
+        // The one with the larger reach looks for the other one
+        visit
+        (
+            own,
+            2*reach,
+            [&](const int other, const double distanceSqr)
+            {
+                const double sum = reach + reach_[other];
+
+                if
+                (
+                    distanceSqr > sum*sum
+                 || reach_[other] > reach
+                 || (reach_[other] == reach && index_[other] < index_[own])
+                )
+                {
+                    return;
+                }
+
+                int i = index_[own];
+                int j = index_[other];
+
+                if (id(j) < id(i))
+                {
+                    std::swap(i, j);
+                }
+
+                if (i < n && id(i) != id(j))
+                {
+                    pairs.push_back({i, j, {}});
+                }
+            }
+        );
+    }
+}
+
+
+std::vector<Foam::aerosol::particlePair>
+Foam::aerosol::cellGrid::touching
+(
+    const domain& region,
+    const vectors& x,
+    const scalars& reach
+)
+{
+    const int n = static_cast<int>(reach.size());
+
+    ghosts layer(region, true);
+    layer.build(x, reach, true);
+
+    vectors places = x;
+    scalars reaches = reach;
+    scalars index = scalars::LinSpaced(n, 0, n - 1);
+
+    layer.fill
+    ({
+        {places, layer, true}, {reaches, layer}, {index, layer}
+    });
+
+    cellGrid grid;
+    std::vector<particlePair> pairs;
+
+    grid.build(places, reaches);
+    grid.touching(n, index, pairs);
+
+    for (particlePair& pair : pairs)
+    {
+        pair.image = layer.image(pair.j);
+        pair.j = static_cast<int>(index(pair.j));
+    }
+
+    return pairs;
+}
+
+
+void Foam::aerosol::cellGrid::acting
+(
+    const int n,
+    const scalars& id,
+    std::vector<particlePair>& pairs
+)
+{
+    pairs.clear();
+
+    for (int source = 0; source < static_cast<int>(index_.size()); ++source)
+    {
+        if (reach_[source] <= 0)
+        {
+            continue;
+        }
+
+        const int j = index_[source];
+
+        visit
+        (
+            source,
+            reach_[source],
+            [&](const int target, double)
+            {
+                const int i = index_[target];
+
+                if (i < n && id(i) != id(j))
+                {
+                    pairs.push_back({i, j, {}});
+                }
+            }
+        );
+    }
+}
+
+
+void Foam::aerosol::cellGrid::acting
+(
+    const int n,
+    const scalars& id,
+    const scalars& skin,
+    std::vector<particlePair>& pairs
+)
+{
+    pairs.clear();
+
+    const int all = static_cast<int>(index_.size());
+
+    if (all == 0)
+    {
+        return;
+    }
+
+    // Sources search for particles of a small skin; those of a large skin,
+    // which are few, search for sources
+    const double small = 2*skin.mean();
+    const double furthest = *std::max_element(reach_.begin(), reach_.end());
+
+    const auto isSource = [&](const int place)
+    {
+        return reach_[place] > skin(index_[place]);
+    };
+
+    const auto add =
+    [&](const int source, const int target, const double distanceSqr)
+    {
+        const int i = index_[target];
+        const int j = index_[source];
+        const double far = reach_[source] + skin(i);
+
+        if (id(i) != id(j) && distanceSqr <= far*far)
+        {
+            pairs.push_back({i, j, {}});
+        }
+    };
+
+    for (int own = 0; own < all; ++own)
+    {
+        const int i = index_[own];
+
+        if (isSource(own))
+        {
+            visit
+            (
+                own,
+                reach_[own] + small,
+                [&](const int other, const double distanceSqr)
+                {
+                    if (index_[other] < n && skin(index_[other]) <= small)
+                    {
+                        add(own, other, distanceSqr);
+                    }
+                }
+            );
+        }
+
+        if (i < n && skin(i) > small)
+        {
+            visit
+            (
+                own,
+                skin(i) + furthest,
+                [&](const int other, const double distanceSqr)
+                {
+                    if (isSource(other))
+                    {
+                        add(other, own, distanceSqr);
+                    }
+                }
+            );
+        }
+    }
+}
+
+
+void Foam::aerosol::cellGrid::sort(particleArrays& p)
+{
+    cellGrid grid;
+    grid.build(p.x, scalars::Zero(p.size()));
+
+    p.reorder(grid.index_);
+}
+
+
+// ************************************************************************* //
