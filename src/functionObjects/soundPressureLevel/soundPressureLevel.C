@@ -4,6 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "soundPressureLevel.H"
+#include "cellField.H"
+#include "largestValue.H"
+#include "phasor.H"
 
 #include "addToRunTimeSelectionTable.H"
 #include "checkedDictionary.H"
