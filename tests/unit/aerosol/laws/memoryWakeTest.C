@@ -372,7 +372,7 @@ TEST(memoryWake, knowsTheQuadratureOfASwingingParticle)
 
         for (const double part : {0.0, 0.5, 1.0})
         {
-            const vectors found = motion.imaginary(p.rate, step, part, h);
+            const vectors found = motion.imaginarySlip(p.rate, step, part, h);
 
             for (int i = 0; i < 3; ++i)
             {
