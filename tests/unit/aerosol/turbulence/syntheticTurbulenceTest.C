@@ -778,8 +778,8 @@ TEST(turbulentGas, isCarriedAlong)
         (
             turbulent(swing, entries, box)
         );
-        second->setDisplacement(first->way());
-        EXPECT_EQ(second->way(), first->way());
+        second->setDisplacement(first->displacement());
+        EXPECT_EQ(second->displacement(), first->displacement());
     }
 
     measured("off by %.2g of the speed\n", off/eddies->speed());
