@@ -407,7 +407,7 @@ void Foam::aerosol::aerosolCloud::prepareFrame(const dictionary& state)
 
     if (frame_->domainMoves())
     {
-        Info<< "The domain moves through the mesh and leaves it at "
+        Info<< "The domain moves, and leaves the mesh at "
             << frame_->end() << " s, after " << frame_->end() - start
             << " s" << nl;
     }
