@@ -87,6 +87,12 @@ void endByNumber(int)
     catch (const error& err)
     {
         Perr<< nl << err << nl;
+
+        // OpenFOAM's own errors often name no file
+        if (!doing.empty())
+        {
+            Perr<< "This was while " << doing.c_str() << nl;
+        }
         end();
     }
     catch (const std::bad_alloc&)

@@ -151,7 +151,18 @@ int main(int argc, char *argv[])
 
     Info<< "\nStarting time loop\n" << endl;
 
-    while (runTime.run())
+    const auto goesOn = [&]
+    {
+        const runGuard::activity what
+        (
+            "running the function objects of " + runTime.systemPath()
+           /"controlDict"
+        );
+
+        return runTime.run();
+    };
+
+    while (goesOn())
     {
         requireFixedStep(runTime);
 

@@ -263,3 +263,20 @@ def test_cells_are_as_long_as_they_are_along_the_mesh(tube):
     straight = cells()
     assert straight == pytest.approx(50, rel=0.01)
     assert cells("((1 0 0) (0.8 0.6 0))") == pytest.approx(straight, rel=1e-3)
+
+
+# Errors of OpenFOAM that name no file
+
+def test_a_function_object_that_overflows(tmp_path, bases):
+    case = AerosolCase(tmp_path/"case", bases/"table")
+    case.replace(CONTROL, r"\(\(0\.06 0\.005", "((0.06 1e300")
+    log = case.run(SOLVER, status=1)
+    assert "running the function objects of " in log[log.index("FATAL"):]
+    assert "system/controlDict" in log[log.index("FATAL"):]
+
+
+def test_a_table_of_a_source_that_goes_back(tmp_path, bases):
+    case = copied(bases/"periodic", tmp_path)
+    case.replace("0/p", r"\(1 1400\)", "(-1 1400)")
+    log = case.run(SOLVER, status=1)
+    assert "This was while reading 0/p" in log[log.index("FATAL"):]
