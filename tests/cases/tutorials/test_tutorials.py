@@ -13,7 +13,7 @@ TUTORIALS = sorted(ROOT.glob("tutorials/*/Allrun"))
 # Long enough for something to plot: what is replaced in controlDict, in periods
 SHORTER = {
     "aerosolAttenuation": {"20.0": "4.0"},
-    "antinodeAndNode": {"40.0": "1.0"},
+    "antinodeAndNode": {"20.0": "1.0"},
     "flyAshChamber": {
         "19.999": "0.999", "60.001": "2.001", "59.999": "1.999"
     },
