@@ -14,13 +14,12 @@ HOLDS = {
     "aerosolCloud": "composes, evolves",
     "timeStepping": "order of the moves",
     "motion": "exact step, wakes",
-    "laws": "drag, wake, noise",
-    "contact": "stick, bounce, break",
+    "laws": "drag, wake, contact",
     "collisions": "clusters, contacts",
     "turbulence": "eddies",
     "coupling": "force on the gas",
     "domain": "box, its frame",
-    "particles": "arrays, random",
+    "particles": "arrays of all",
     "initial": "sources of particles",
     "neighbours": "lists, Verlet skin",
     "parallel": "ranks, ghosts",
@@ -58,14 +57,18 @@ def layer(axes, top, width, library, names, colour):
     for k, name in enumerate(names):
         x = 3 + 0.247*width*(k % COLUMNS)
         y = top - 8.4 - 7.6*(k//COLUMNS)
-        axes.text(x, y, name, va="center", fontsize=style.SMALL, zorder=3)
+        axes.text(x, y, name, va="center", fontsize=style.SMALL, zorder=3,
+                  gid=f"src/{library}/{name}")
         axes.text(x, y - 2.9, HOLDS.get(name, ""), va="center",
                   fontsize=style.SMALL, color="#606060", zorder=3)
     return top - height
 
 
 def figure():
-    upper = folders("aerosol", ("aerosolCloud", "timeStepping", "collisions"))
+    upper = folders("aerosol", (
+        "aerosolCloud", "timeStepping", "collisions", "motion", "laws",
+        "neighbours", "parallel", "domain",
+    ))
     lower = [
         name for name in folders("acoustics", ("analytic", "replay"))
         if name != "soundField"

@@ -1,5 +1,6 @@
 """The figures of the manual are what their scripts draw."""
 
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -38,6 +39,19 @@ def test_one_command_draws_all_of_them(tmp_path):
         assert one == other
         assert len(one) < 150_000
         assert "dc:date" not in one
+
+
+def test_layers_are_the_folders_of_src():
+    """After a move: doc/figures/draw layers"""
+    drawn = set(re.findall(
+        r'id="(src/\w+/\w+)"', (FIGURES/"layers.svg").read_text()
+    ))
+    there = {
+        str(path.relative_to(ROOT)) for library in ("aerosol", "acoustics")
+        for path in (ROOT/"src"/library).iterdir()
+        if path.is_dir() and path.name not in ("Make", "lnInclude")
+    }
+    assert drawn == there - {"src/acoustics/soundField"}
 
 
 @pytest.mark.parametrize("arguments, message", [
