@@ -38,6 +38,20 @@ void Foam::requireDictionaries(const dictionary& dict, const wordList& valid)
 }
 
 
+void Foam::requireValue(const dictionary& dict, const word& key)
+{
+    const entry* found = dict.findEntry(key, keyType::REGEX);
+
+    if (found && found->isDict())
+    {
+        FatalIOErrorInFunction(found->dict())
+            << "Entry '" << key << "' of " << dict.name()
+            << " must be a value, such as " << key << " 1;"
+            << " but it is a dictionary" << exit(FatalIOError);
+    }
+}
+
+
 void Foam::requireAllRead(const dictionary& dict, const word& key)
 {
     const auto* read = dynamic_cast<const primitiveEntry*>

@@ -59,6 +59,8 @@ Foam::ITstream& readDimensions
 {
     using namespace Foam;
 
+    requireValue(dict, key);
+
     ITstream& is = dict.lookup(key);
     multiplier = 1;
 

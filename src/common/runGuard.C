@@ -67,6 +67,14 @@ void endByNumber(int)
 }
 
 
+//- OpenFOAM (from v2006 on) prints some errors, and their stack, and aborts where
+//  it should have thrown
+void endByAbort(int)
+{
+    std::_Exit(1);
+}
+
+
 //- Called before anything is unwound: no destructor waits for other ranks
 [[noreturn]] void endByException()
 {
@@ -131,6 +139,7 @@ void Foam::runGuard::begin()
     std::set_terminate(endByException);
 
     std::signal(SIGFPE, endByNumber);
+    std::signal(SIGABRT, endByAbort);
 }
 
 

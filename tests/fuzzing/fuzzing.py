@@ -43,7 +43,11 @@ def judge(case, status, log):
         return LATE
     if status not in (0, 1):
         return f"ends with {status}"
-    if re.search(r"^#\d+ |terminate called|Traceback|dumped", log, re.M):
+    # Where OpenFOAM itself finds a dictionary, it prints the stack (from v2006 on)
+    stack = r"terminate called|Traceback|dumped"
+    if "stream of primitives from a dictionary" not in log:
+        stack += r"|^#\d+ "
+    if re.search(stack, log, re.M):
         return "a stack of addresses"
     if status == 1:
         if fatal != 1:

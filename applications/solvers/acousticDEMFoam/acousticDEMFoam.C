@@ -19,6 +19,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "aerosolClouds.H"
+#include "checkedDictionary.H"
 #include "argList.H"
 #include "caseLock.H"
 #include "checkTimes.H"
@@ -51,7 +52,7 @@ void requireFixedStep(const Time& runTime)
 {
     const dictionary& control = runTime.controlDict();
 
-    if (control.getOrDefault("adjustTimeStep", false))
+    if (valueOr<bool>(control, "adjustTimeStep", false))
     {
         FatalIOErrorInFunction(control.lookup("adjustTimeStep"))
             << "Entry 'adjustTimeStep' is on, but the fluid step is deltaT"

@@ -6,6 +6,7 @@
 #include "compressibleSound.H"
 
 #include "addToRunTimeSelectionTable.H"
+#include "checkedDictionary.H"
 #include "checkedEntry.H"
 #include "evaluateOrRefuse.H"
 #include "externalForce.H"
@@ -102,7 +103,7 @@ Foam::acoustics::compressibleSound::compressibleSound
 )
 :
     meshSound(mesh, dict),
-    logSolvers_(dict.getOrDefault("logSolvers", false)),
+    logSolvers_(valueOr<bool>(dict, "logSolvers", false)),
     // It marks the last corrector in the mesh, hence not const
     pimple_(const_cast<fvMesh&>(mesh), "PIMPLE", false),
     p_(internalEnergy().p()),

@@ -6,6 +6,7 @@
 #include "explicitCompressibleSound.H"
 
 #include "addToRunTimeSelectionTable.H"
+#include "checkedDictionary.H"
 #include "checkedEntry.H"
 #include "fvMatrices.H"
 #include "fvMesh.H"
@@ -101,7 +102,7 @@ void Foam::acoustics::explicitCompressibleSound::checkLaminar() const
 
     if
     (
-        turbulence.getOrDefault<word>("simulationType", "laminar")
+        valueOr<word>(turbulence, "simulationType", "laminar")
      != "laminar"
     )
     {
@@ -379,7 +380,7 @@ Foam::acoustics::explicitCompressibleSound::explicitCompressibleSound
 )
 :
     meshSound(mesh, dict),
-    force_(dict.getOrDefault("force", word::null)),
+    force_(valueOr<word>(dict, "force", word::null)),
     fvOptions_(fv::options::New(mesh)),
     stencils_(mesh),
     fluxes_(constants(*thermo_, gas()), stencils_.faces()),

@@ -104,7 +104,7 @@ Foam::wordList Foam::acoustics::levelControl::sources
     }
 
     const wordList patches =
-        dict.getOrDefault<wordList>("patches", wordList(all));
+        valueOr<wordList>(dict, "patches", wordList(all));
 
     for (const word& name : patches)
     {
@@ -457,7 +457,7 @@ Foam::acoustics::levelControl::levelControl
         mesh.lookupObject<volVectorField>("U")
     ).requireFrequency(frequency, patches_, dict);
 
-    const word place = dict.getOrDefault<word>("place", "maximum");
+    const word place = valueOr<word>(dict, "place", "maximum");
 
     if (place != "maximum" && place != "point")
     {

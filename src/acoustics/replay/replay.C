@@ -6,6 +6,7 @@
 #include "replay.H"
 
 #include "addToRunTimeSelectionTable.H"
+#include "checkedDictionary.H"
 #include "checkedEntry.H"
 #include "gasEntries.H"
 #include "fvMesh.H"
@@ -113,6 +114,7 @@ Foam::acoustics::replay::chamber::chamber
 
     if (dict.found("source"))
     {
+        requireValue(dict, "source");
         fileName source(dict.get<fileName>("source"));
         source.expand();
 
@@ -299,6 +301,7 @@ Foam::word Foam::acoustics::replay::chamber::findTime
 
     if (dict.found("time"))
     {
+        requireValue(dict, "time");
         const ITstream& is = dict.lookup("time");
 
         latest =

@@ -101,6 +101,7 @@ bool Foam::aerosol::twoWayCoupling::wanted(const dictionary& dict)
         return false;
     }
 
+    requireValue(dict, "type");
     const word type = dict.get<word>("type");
 
     if (type != "none" && type != "twoWay")

@@ -529,15 +529,15 @@ bool Foam::functionObjects::soundPressureLevel::read(const dictionary& dict)
 
     warnOfUnknown(dict);
 
-    pName_ = dict.getOrDefault<word>("p", "p");
-    UName_ = dict.getOrDefault<word>("U", "U");
-    writeCoefficients_ = dict.getOrDefault("coefficients", false);
+    pName_ = valueOr<word>(dict, "p", "p");
+    UName_ = valueOr<word>(dict, "U", "U");
+    writeCoefficients_ = valueOr<bool>(dict, "coefficients", false);
 
     points_.clear();
     for
     (
         const point& x
-      : dict.getOrDefault<pointField>("probeLocations", pointField())
+      : valueOr<pointField>(dict, "probeLocations", pointField())
     )
     {
         points_.emplace_back(mesh_, x);

@@ -5,6 +5,7 @@
 
 #include "fragmentation.H"
 #include "communicator.H"
+#include "checkedDictionary.H"
 #include "checkedEntry.H"
 #include "dimensionSets.H"
 #include "noBreakage.H"
@@ -31,7 +32,7 @@ constexpr double spacing = 0.5;
 //- The share of the smaller piece
 scalar readShare(const dictionary& dict)
 {
-    const word fragments(dict.getOrDefault<word>("fragments", "erosion"));
+    const word fragments(valueOr<word>(dict, "fragments", "erosion"));
 
     if (fragments == "erosion" && !dict.found("share"))
     {

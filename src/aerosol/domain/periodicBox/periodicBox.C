@@ -28,6 +28,7 @@ namespace
 //- A number (a cube) or three numbers
 Foam::vector readLength(const Foam::dictionary& dict)
 {
+    Foam::requireValue(dict, "length");
     Foam::ITstream& is = dict.lookup("length");
     const Foam::token first(is);
 
@@ -60,7 +61,7 @@ Foam::vector readLength(const Foam::dictionary& dict)
 bool readSound(const Foam::dictionary& dict)
 {
     const Foam::word sound =
-        dict.getOrDefault<Foam::word>("sound", "representative");
+        Foam::valueOr<Foam::word>(dict, "sound", "representative");
 
     if (sound != "representative" && sound != "resolved")
     {

@@ -6,6 +6,7 @@
 #include "syntheticTurbulence.H"
 
 #include "addToRunTimeSelectionTable.H"
+#include "checkedDictionary.H"
 #include "checkedEntry.H"
 #include "dimensionSets.H"
 #include "mathematicalConstants.H"
@@ -171,7 +172,7 @@ Foam::scalar readShearRate
 {
     using namespace Foam;
 
-    const bool ofMeanFlow = dict.getOrDefault<Switch>("meanFlow", false);
+    const bool ofMeanFlow = valueOr<Switch>(dict, "meanFlow", false);
 
     if (dict.found("dissipation") + dict.found("shearRate") + ofMeanFlow != 1)
     {
@@ -237,7 +238,7 @@ Foam::scalar readAccelerationFactor
 {
     using namespace Foam;
 
-    const bool ofMeanFlow = dict.getOrDefault<Switch>("meanFlow", false);
+    const bool ofMeanFlow = valueOr<Switch>(dict, "meanFlow", false);
 
     const scalar factor =
         readNonNegative

@@ -91,9 +91,9 @@ Foam::aerosol::csvTable::csvTable
     const word& key,
     const std::vector<std::string>& headers
 )
-:
-    file_(dict.get<fileName>(key))
 {
+    requireValue(dict, key);
+    file_ = dict.get<fileName>(key);
     file_.expand();
 
     if (!file_.isAbsolute())

@@ -106,7 +106,7 @@ void Foam::aerosol::listSource::readEntries()
         );
         diameters_.push_back(readPositive(entry, "diameter", dimLength));
         where_.push_back("number " + std::to_string(i + 1) + " of 'particles'");
-        addPrimaries(entry.getOrDefault<scalar>("primaries", 1), i);
+        addPrimaries(valueOr<scalar>(entry, "primaries", 1), i);
 
         if (entry.found("velocity"))
         {

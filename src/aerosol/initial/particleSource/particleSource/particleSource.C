@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "particleSource.H"
+#include "checkedDictionary.H"
 #include "checkedEntry.H"
 #include "selectModel.H"
 
@@ -52,7 +53,7 @@ Foam::aerosol::particleSource::particleSource(const dictionary& dict)
 {
     const word velocity
     (
-        dict.getOrDefault<word>("initialVelocity", "gas")
+        valueOr<word>(dict, "initialVelocity", "gas")
     );
 
     if (velocity != "gas" && velocity != "rest")

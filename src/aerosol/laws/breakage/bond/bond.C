@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "bond.H"
+#include "checkedDictionary.H"
 #include "checkedEntry.H"
 #include "dimensionSets.H"
 #include "reducedModulus.H"
@@ -20,6 +21,7 @@ Foam::aerosol::bond::bond(const dictionary& dict)
     workPerRadius_(0),
     workPerPower_(0)
 {
+    requireValue(dict, "type");
     const word type(dict.get<word>("type"));
 
     if (type == "JKR")

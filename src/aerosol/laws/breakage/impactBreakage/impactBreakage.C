@@ -5,6 +5,7 @@
 
 #include "impactBreakage.H"
 #include "addToRunTimeSelectionTable.H"
+#include "checkedDictionary.H"
 #include "checkedEntry.H"
 #include "dimensionSets.H"
 
@@ -35,7 +36,7 @@ Foam::aerosol::impactBreakage::impactBreakage(const dictionary& dict)
             dict,
             "factor",
             dimless,
-            dict.getOrDefault<word>("fragments", "erosion") == "two" ? 10 : 3
+            valueOr<word>(dict, "fragments", "erosion") == "two" ? 10 : 3
         )
     )
 {
