@@ -44,7 +44,7 @@ void Foam::requireValue(const dictionary& dict, const word& key)
 
     if (found && found->isDict())
     {
-        FatalIOErrorInFunction(found->dict())
+        FatalIOErrorInFunction(dict)
             << "Entry '" << key << "' of " << dict.name()
             << " must be a value, such as " << key << " 1;"
             << " but it is a dictionary" << exit(FatalIOError);

@@ -67,8 +67,8 @@ void endByNumber(int)
 }
 
 
-//- OpenFOAM (from v2006 on) prints some errors, and their stack, and aborts where
-//  it should have thrown
+//- OpenFOAM (from v2006 on) prints some errors, with their stack, and aborts
+//  instead of throwing them
 void endByAbort(int)
 {
     std::_Exit(1);
