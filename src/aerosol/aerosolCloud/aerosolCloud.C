@@ -887,13 +887,7 @@ void Foam::aerosol::aerosolCloud::evolve()
     ++step_;
     reached_ = end;
 
-    timeStepping_->advance
-    (
-        particles_,
-        end - h,
-        h,
-        step_
-    );
+    timeStepping_->advance(particles_, {step_, end - h, h});
 
     if (coupling_)
     {
@@ -1022,7 +1016,7 @@ std::string Foam::aerosol::aerosolCloud::progress() const
 
 std::string Foam::aerosol::aerosolCloud::effort() const
 {
-    const timeStepping::effort& done = timeStepping_->done();
+    const stepCounters& done = timeStepping_->counters();
 
     const scalar n = max(done.fluidSteps, 1.0);
     const scalar moved = communicator::sum(done.particleMoves);

@@ -226,68 +226,6 @@ std::complex<double> Foam::aerosol::equationOfMotion::response
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::aerosol::vectors
-Foam::aerosol::equationOfMotion::gasStep::at(const scalar s) const
-{
-    if (!u1.cols())
-    {
-        return u0;
-    }
-
-    if (!um.cols())
-    {
-        return u0 + s*(u1 - u0);
-    }
-
-    return
-        (1 - s)*(1 - 2*s)*u0 + 4*s*(1 - s)*um + s*(2*s - 1)*u1;
-}
-
-
-Foam::aerosol::vectors
-Foam::aerosol::equationOfMotion::gasStep::change
-(
-    const scalar s,
-    const scalar h
-) const
-{
-    if (!u1.cols())
-    {
-        return vectors::Zero(3, u0.cols());
-    }
-
-    if (!um.cols())
-    {
-        return (u1 - u0)/h;
-    }
-
-    return ((4*s - 3)*u0 + (4 - 8*s)*um + (4*s - 1)*u1)/h;
-}
-
-
-Foam::aerosol::equationOfMotion::gasStep
-Foam::aerosol::equationOfMotion::gasStep::part
-(
-    const scalar from,
-    const scalar to
-) const
-{
-    gasStep some;
-    some.u0 = at(from);
-
-    if (um.cols())
-    {
-        some.um = at(0.5*(from + to));
-    }
-    if (u1.cols())
-    {
-        some.u1 = at(to);
-    }
-
-    return some;
-}
-
-
 void Foam::aerosol::equationOfMotion::move
 (
     const scalar h,

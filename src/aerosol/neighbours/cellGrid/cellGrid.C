@@ -206,44 +206,6 @@ void Foam::aerosol::cellGrid::touching
 }
 
 
-std::vector<Foam::aerosol::particlePair>
-Foam::aerosol::cellGrid::touching
-(
-    const domain& region,
-    const vectors& x,
-    const scalars& reach
-)
-{
-    const int n = static_cast<int>(reach.size());
-
-    ghosts layer(region, true);
-    layer.build(x, reach, true);
-
-    vectors places = x;
-    scalars reaches = reach;
-    scalars index = scalars::LinSpaced(n, 0, n - 1);
-
-    layer.fill
-    ({
-        {places, layer, true}, {reaches, layer}, {index, layer}
-    });
-
-    cellGrid grid;
-    std::vector<particlePair> pairs;
-
-    grid.build(places, reaches);
-    grid.touching(n, index, pairs);
-
-    for (particlePair& pair : pairs)
-    {
-        pair.image = layer.image(pair.j);
-        pair.j = static_cast<int>(index(pair.j));
-    }
-
-    return pairs;
-}
-
-
 void Foam::aerosol::cellGrid::acting
 (
     const int n,

@@ -29,7 +29,7 @@ Foam::aerosol::conventional::conventional
     const tools& with
 )
 :
-    timeStepping(with),
+    nestedSteps(with),
     kc_(readFraction(dict, "kc"))
 {
     requireOnly(dict, {"type", "kc"});
@@ -41,27 +41,27 @@ Foam::aerosol::conventional::conventional
 void Foam::aerosol::conventional::advance
 (
     particleArrays& p,
-    const scalar t,
-    const scalar h,
-    const std::int64_t step
+    const fluidStep& step
 )
 {
-    if (!begin(p, t, h, step))
+    if (!begin(p, step))
     {
         return;
     }
 
-    const scalar uc = largestSpeed(p, sampleGas(p, t, h), h);
+    const scalar h = step.h;
+    const scalar uc =
+        relative_.largestSpeed(p, sampler_.atAll(p, step), h);
     const int n =
         std::max(1, int(std::ceil(h*uc/(kc_*smallest(p.collisionDiameter)))));
 
     for (int s = 0; s < n; ++s)
     {
-        const scalar ts = t + s*h/n;
+        const fluidStep part{step.index, step.t + s*h/n, h/n, s};
 
-        gasStep gas = sampleGas(p, ts, h/n);
+        stepValues gas = sampler_.atAll(p, part);
 
-        nestedSteps(p, gas, ts, h/n, 1, 1, s);
+        move(p, gas, part, 1, 1);
 
         progressed(scalar(s + 1)/n);
     }

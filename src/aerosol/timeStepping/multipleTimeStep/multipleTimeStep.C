@@ -29,7 +29,7 @@ Foam::aerosol::multipleTimeStep::multipleTimeStep
     const tools& with
 )
 :
-    timeStepping(with),
+    nestedSteps(with),
     kp_(readFraction(dict, "kp")),
     kc_(readFraction(dict, "kc"))
 {
@@ -42,18 +42,17 @@ Foam::aerosol::multipleTimeStep::multipleTimeStep
 void Foam::aerosol::multipleTimeStep::advance
 (
     particleArrays& p,
-    const scalar t,
-    const scalar h,
-    const std::int64_t step
+    const fluidStep& step
 )
 {
-    if (!begin(p, t, h, step))
+    if (!begin(p, step))
     {
         return;
     }
 
-    gasStep gas = sampleGas(p, t, h);
-    const scalar uc = largestSpeed(p, gas, h);
+    const scalar h = step.h;
+    stepValues gas = sampler_.atAll(p, step);
+    const scalar uc = relative_.largestSpeed(p, gas, h);
     const scalar tau = smallest(with_.motion.relaxationTime(p));
 
     const int nParticle = std::max(1, int(std::ceil(h/(kp_*tau))));
@@ -64,7 +63,7 @@ void Foam::aerosol::multipleTimeStep::advance
             int(std::ceil(h/nParticle*uc/(kc_*smallest(p.collisionDiameter))))
         );
 
-    nestedSteps(p, gas, t, h, nParticle, nCollision);
+    move(p, gas, step, nParticle, nCollision);
 }
 
 

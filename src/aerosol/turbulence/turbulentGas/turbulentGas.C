@@ -40,7 +40,8 @@ Foam::aerosol::turbulentGas::rounded(const Eigen::Vector3d& displacement) const
 }
 
 
-Eigen::Vector3d Foam::aerosol::turbulentGas::wayAt(const scalar t) const
+Eigen::Vector3d
+Foam::aerosol::turbulentGas::displacementAt(const scalar t) const
 {
     if (step_ <= 0)
     {
@@ -98,7 +99,7 @@ void Foam::aerosol::turbulentGas::follow(const scalar t, const scalar h)
 
 Eigen::Vector3d Foam::aerosol::turbulentGas::displacement() const
 {
-    return rounded(wayAt(begin_ + step_));
+    return rounded(displacementAt(begin_ + step_));
 }
 
 
@@ -123,7 +124,7 @@ void Foam::aerosol::turbulentGas::velocity
 
     if (turbulent())
     {
-        turbulence_->add(t, x.colwise() - wayAt(t), u);
+        turbulence_->add(t, x.colwise() - displacementAt(t), u);
     }
 }
 
@@ -140,7 +141,7 @@ void Foam::aerosol::turbulentGas::velocityAt
 
     if (turbulent())
     {
-        turbulence_->add(t, x.colwise() - wayAt(t), u);
+        turbulence_->add(t, x.colwise() - displacementAt(t), u);
     }
 }
 

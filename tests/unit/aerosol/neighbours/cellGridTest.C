@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "counterRandom.H"
+#include "neighbourList.H"
 #include "periodicBox.H"
 #include "periodicPairs.H"
 #include "IStringStream.H"
@@ -106,7 +107,7 @@ void compare
 {
     EXPECT_EQ
     (
-        keys(cellGrid::touching(box, x, reach), false),
+        keys(neighbourList::touching(box, x, reach), false),
         bruteForce
         (
             x, box.period(), false,
@@ -227,7 +228,7 @@ TEST(cellGrid, findsPairsAcrossACorner)
          lower.z() + 1e-3, upper.z() - 1e-3;
 
     const std::vector<particlePair> pairs =
-        cellGrid::touching(box, x, scalars::Constant(2, 2e-3));
+        neighbourList::touching(box, x, scalars::Constant(2, 2e-3));
 
     ASSERT_EQ(pairs.size(), 1u);
     EXPECT_EQ(key(pairs[0], false), pairKey(0, 1, -1, -1, -1));
@@ -261,7 +262,7 @@ TEST(cellGrid, acceptsNoParticles)
     const periodicBox box = makeBox("1");
 
     const vectors x(3, 0);
-    EXPECT_TRUE(cellGrid::touching(box, x, scalars(0)).empty());
+    EXPECT_TRUE(neighbourList::touching(box, x, scalars(0)).empty());
     EXPECT_TRUE(testTools::actingPairs(box, x, scalars(0)).empty());
 }
 

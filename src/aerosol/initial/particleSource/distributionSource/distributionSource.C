@@ -8,7 +8,7 @@
 #include "communicator.H"
 #include "checkedEntry.H"
 #include "domain.H"
-#include "cellGrid.H"
+#include "neighbourList.H"
 
 #include <algorithm>
 #include <limits>
@@ -140,7 +140,7 @@ std::vector<int> Foam::aerosol::distributionSource::inTheWay
 )
 {
     const std::vector<particlePair> pairs =
-        cellGrid::touching(region, particles.x, 0.5*particles.d);
+        neighbourList::touching(region, particles.x, 0.5*particles.d);
 
     std::vector<int> indices;
 

@@ -8,7 +8,7 @@
 #include "checkedDictionary.H"
 #include "csvTable.H"
 #include "domain.H"
-#include "cellGrid.H"
+#include "neighbourList.H"
 #include "eigenVector.H"
 
 #include <cmath>
@@ -174,7 +174,7 @@ void Foam::aerosol::listSource::checkOverlaps
     const double touch = 1 - 1e-9;
 
     const std::vector<particlePair> pairs =
-        cellGrid::touching(region, particles.x, 0.5*touch*particles.d);
+        neighbourList::touching(region, particles.x, 0.5*touch*particles.d);
 
     if (!pairs.empty())
     {

@@ -1,23 +1,18 @@
 /*---------------------------------------------------------------------------*\
     acousticDEM: acoustic agglomeration of aerosols
     SPDX-License-Identifier: GPL-3.0-or-later
--------------------------------------------------------------------------------
-Description
-    The part of timeStepping that follows clusters in Brownian motion.
-
-    The noise of each part of a step is known in advance: which particles form a
-    cluster depends on it. Ending the part for the whole cluster at a merger
-    would discard the remaining noise of all members, and with it their known
-    ends: contact rates in large clusters come out too low by up to a third. So
-    only merged particles get new noise, and a new path.
-
 \*---------------------------------------------------------------------------*/
 
-#include "timeStepping.H"
+#include "BrownianClusterSolver.H"
+#include "BrownianCrossing.H"
+#include "neighbourWakes.H"
+#include "randomBlock.H"
+#include "relativeMotion.H"
+#include "stepPaths.H"
 
-#include <cmath>
-#include <queue>
-#include <tuple>
+#include <cmath>>
+#include <queue>>
+#include <tuple>>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -52,7 +47,7 @@ constexpr std::uint64_t manyParts = 4096;
 
 // * * * * * * * * * * * * * * * Private Classes * * * * * * * * * * * * * * //
 
-struct Foam::aerosol::timeStepping::BrownianCluster
+struct Foam::aerosol::BrownianClusterSolver::part
 {
     cluster& one;
 
@@ -60,8 +55,8 @@ struct Foam::aerosol::timeStepping::BrownianCluster
     std::vector<particlePair> wakePairs;
 
     //- Gas and wakes from outside in this part
-    gasStep gas;
-    gasStep outside;
+    stepValues gas;
+    stepValues outside;
 
     //- The end of the part
     equationOfMotion::state end;
@@ -86,16 +81,18 @@ struct Foam::aerosol::timeStepping::BrownianCluster
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::aerosol::timeStepping::moveOn
+void Foam::aerosol::BrownianClusterSolver::moveOn
 (
-    BrownianCluster& all,
+    part& all,
     const int i,
     const scalar when,
-    const scalar h,
-    const std::uint64_t randomBlock
+    const fluidStep& step
 )
 {
-    const equationOfMotion& motion = with_.motion;
+    ++all.nMergers;
+
+    const equationOfMotion& motion = motion_;
+    const scalar h = step.h;
     particleArrays& p = all.one.p;
     equationOfMotion::state& end = all.end;
 
@@ -116,7 +113,7 @@ void Foam::aerosol::timeStepping::moveOn
         return;
     }
 
-    gasStep gas = all.gas.part(when/h, 1);
+    stepValues gas = all.gas.part(when/h, 1);
     for (vectors* u : {&gas.u0, &gas.um, &gas.u1})
     {
         if (u->cols())
@@ -126,9 +123,16 @@ void Foam::aerosol::timeStepping::moveOn
     }
 
     equationOfMotion::state there;
-    motion.increment(left, single, step_, randomBlock, there.increment);
+    motion.increment
+    (
+        left,
+        single,
+        step.index,
+        randomBlock(noise::rest, step.part, all.nMergers),
+        there.increment
+    );
 
-    gasStep w;
+    stepValues w;
 
     if (motion.hasWakes())
     {
@@ -146,7 +150,7 @@ void Foam::aerosol::timeStepping::moveOn
                 const scalar s = length > 0 ? since/length : 1;
 
                 acting.push_back(pair);
-                x.col(j) = pathOfOwn(p, end, j, length).position(since);
+                x.col(j) = stepPaths::own(p, end, j, length).position(since);
                 v.col(j) =
                     (1 - s)*v.col(j) + s*(end.v.col(j) - end.thermal.col(j));
             }
@@ -205,32 +209,31 @@ void Foam::aerosol::timeStepping::moveOn
     end.path1.col(i) = there.path1.col(0);
 
     all.stray(i) = motion.reach(left, single).stray(0)/left;
-    ++effort_.clusterMoves;
+    ++counters_.clusterMoves;
 }
 
 
-void Foam::aerosol::timeStepping::collide
+void Foam::aerosol::BrownianClusterSolver::collide
 (
-    BrownianCluster& all,
-    const scalar t,
-    const scalar h,
+    part& all,
+    const fluidStep& step,
     const int nCollision,
-    const int part,
     const int s
 )
 {
+    const scalar h = step.h;
     cluster& one = all.one;
     particleArrays& p = one.p;
     equationOfMotion::state& end = all.end;
 
     all.begin.assign(p.size(), 0);
     all.age.assign(p.size(), 0);
-    all.stray = with_.motion.reach(h, p).stray/h;
+    all.stray = motion_.reach(h, p).stray/h;
 
     const auto pathFrom = [&](const int i, const scalar first)
     {
         const scalar begin = all.begin[i];
-        const particlePath path = pathOfOwn(p, end, i, h - begin);
+        const particlePath path = stepPaths::own(p, end, i, h - begin);
 
         return first > begin ? path.rest(first - begin) : path;
     };
@@ -268,8 +271,8 @@ void Foam::aerosol::timeStepping::collide
 
         if
         (
-            with_.collisions.absorbed(i)
-         || with_.collisions.absorbed(j)
+            collisions_.absorbed(i)
+         || collisions_.absorbed(j)
          || length <= 1e-9*h
         )
         {
@@ -282,19 +285,16 @@ void Foam::aerosol::timeStepping::collide
             0.5*(p.collisionDiameter(i) + p.collisionDiameter(j));
         const double variance = (all.stray(i) + all.stray(j))*length;
 
-        if (a.staysAwayFrom(b, touch + nDeviations*std::sqrt(variance)))
+        const double strayed =
+            relativeMotion::nDeviations*std::sqrt(variance);
+
+        if (a.staysAwayFrom(b, touch + strayed))
         {
             return;
         }
 
-        // A pair that touched without sticking must separate before it touches
-        // again
-        const bool onlyNew = with_.collisions.refused(p.id(i), p.id(j));
-
         scalar when =
-            nCollision > 0
-          ? particlePath::firstOverlap(a, b, touch, h/nCollision, onlyNew)
-          : particlePath::firstTouch(a, b, touch, onlyNew);
+            contactTime(a, b, p.id(i), p.id(j), touch, h, nCollision);
 
         if (when > length)
         {
@@ -305,10 +305,14 @@ void Foam::aerosol::timeStepping::collide
 
             if
             (
-                crosses
+                BrownianCrossing
                 (
-                    p.id(i), p.id(j), gap0, gap1, variance,
-                    block(noise::whole, part, s + manyParts*ageOf(pair))
+                    motion_.noise(), p.id(i), p.id(j), gap0, gap1, variance,
+                    step.index,
+                    randomBlock
+                    (
+                        noise::whole, step.part, s + manyParts*ageOf(pair)
+                    )
                 )
             )
             {
@@ -341,25 +345,25 @@ void Foam::aerosol::timeStepping::collide
 
         if
         (
-            with_.collisions.absorbed(i)
-         || with_.collisions.absorbed(j)
+            collisions_.absorbed(i)
+         || collisions_.absorbed(j)
          || found.age != ageOf(found.pair)
         )
         {
             continue;
         }
 
-        contactOutcome::encounter encounter;
-        encounter.i = i;
-        encounter.j = j;
-        encounter.shift = shift(found.pair);
-        encounter.xi = pathFrom(i, when).position(0);
-        encounter.xj = pathFrom(j, when).position(0) + encounter.shift;
-        encounter.vi = between(i, when, p.v, end.v);
-        encounter.vj = between(j, when, p.v, end.v);
-        encounter.time = t + when;
-        encounter.step = step_;
-        encounter.number = block(noise::whole, part, nContacts++);
+        const contactOutcome::encounter encounter = encounterOf
+        (
+            found.pair,
+            {
+                pathFrom(i, when).position(0), pathFrom(j, when).position(0),
+                between(i, when, p.v, end.v), between(j, when, p.v, end.v)
+            },
+            step,
+            step.t + when,
+            nContacts++
+        );
 
         const Eigen::Vector3d thermal =
         (
@@ -367,7 +371,7 @@ void Foam::aerosol::timeStepping::collide
           + p.m(j)*between(j, when, p.thermal, end.thermal)
         )/(p.m(i) + p.m(j));
 
-        const int survivor = with_.collisions.meet(p, encounter);
+        const int survivor = collisions_.meet(p, encounter);
 
         if (survivor < 0)
         {
@@ -375,19 +379,10 @@ void Foam::aerosol::timeStepping::collide
         }
 
         p.thermal.col(survivor) = thermal;
-        with_.motion.refresh(p, survivor);
+        motion_.refresh(p, survivor);
 
-        periods image = found.pair.image;
-        if (survivor == j)
-        {
-            for (std::int8_t& n : image)
-            {
-                n = -n;
-            }
-        }
-
-        redirect(one.contactPairs, survivor, survivor == i ? j : i, image);
-        if (with_.motion.hasWakes())
+        replaceAbsorbed(one.contactPairs, found.pair, survivor);
+        if (motion_.hasWakes())
         {
             all.wakePairs = bothWays(one.contactPairs);
         }
@@ -395,10 +390,7 @@ void Foam::aerosol::timeStepping::collide
         ++all.age[survivor];
         all.grown[survivor] = 1;
 
-        moveOn
-        (
-            all, survivor, when, h, block(noise::rest, part, ++all.nMergers)
-        );
+        moveOn(all, survivor, when, step);
 
         for (const particlePair& pair : one.contactPairs)
         {
@@ -411,36 +403,38 @@ void Foam::aerosol::timeStepping::collide
 }
 
 
-void Foam::aerosol::timeStepping::followBrownian
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::aerosol::BrownianClusterSolver::solve
 (
     cluster& one,
-    const scalar t,
-    const scalar h,
-    const int nCollision,
-    const int part
+    const fluidStep& step,
+    const int nCollision
 )
 {
+    const scalar h = step.h;
     particleArrays& p = one.p;
 
     const int n = one.nSteps;
     const scalar length = h/n;
 
-    BrownianCluster all
+    part all
     {
         one, bothWays(one.contactPairs), {}, {}, {}, {}, {},
         std::vector<char>(p.size(), 0), {}, 0
     };
 
-    const gasStep outside = outsideWakes(one, all.wakePairs, h);
+    const stepValues outside = outsideWakes(one, all.wakePairs, h);
 
     // The noise of a step of one part is known, to the last bit
     std::vector<Brownian::increments> increments(1, one.increment);
 
     if (n > 1)
     {
-        with_.motion.bridge
+        motion_.bridge
         (
-            h, p, step_, block(noise::parts, part), n, one.increment, increments
+            h, p, step.index, randomBlock(noise::parts, step.part), n,
+            one.increment, increments
         );
     }
 
@@ -456,10 +450,10 @@ void Foam::aerosol::timeStepping::followBrownian
             if (all.grown[i])
             {
                 Brownian::increments own;
-                with_.motion.increment
+                motion_.increment
                 (
-                    length, p.select({i}), step_,
-                    block(noise::grown, part, s), own
+                    length, p.select({i}), step.index,
+                    randomBlock(noise::grown, step.part, s), own
                 );
 
                 all.end.increment.v.col(i) = own.v.col(0);
@@ -467,19 +461,25 @@ void Foam::aerosol::timeStepping::followBrownian
             }
         }
 
-        with_.motion.step
+        motion_.step
         (
-            length, p, all.wakePairs, all.gas, all.outside, nIterations,
-            all.end
+            length, p, all.wakePairs, all.gas, all.outside,
+            neighbourWakes::nIterations, all.end
         );
-        effort_.clusterMoves += p.size();
+        counters_.clusterMoves += p.size();
 
-        collide(all, t + s*length, length, nCollision, part, s);
+        collide
+        (
+            all,
+            {step.index, step.t + s*length, length, step.part},
+            nCollision,
+            s
+        );
 
-        with_.motion.arrive(p, all.end);
+        motion_.arrive(p, all.end);
     }
 
-    one.absorbed = with_.collisions.takeAbsorbed(p.size());
+    one.absorbed = collisions_.takeAbsorbed(p.size());
 }
 
 

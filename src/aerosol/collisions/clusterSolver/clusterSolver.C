@@ -1,95 +1,37 @@
 /*---------------------------------------------------------------------------*\
     acousticDEM: acoustic agglomeration of aerosols
     SPDX-License-Identifier: GPL-3.0-or-later
--------------------------------------------------------------------------------
-Description
-    The part of timeStepping that follows a cluster, from contact to contact.
-
 \*---------------------------------------------------------------------------*/
 
-#include "timeStepping.H"
+#include "clusterSolver.H"
+#include "BrownianClusterSolver.H"
+#include "neighbourWakes.H"
+#include "randomBlock.H"
 
-#include <algorithm>
-#include <cmath>
-#include <unordered_set>
+#include <algorithm>>
+#include <cmath>>
+#include <unordered_set>>
 
-// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::aerosol::timeStepping::gasStep
-Foam::aerosol::timeStepping::outsideWakes
+Foam::aerosol::clusterSolver::clusterSolver
 (
-    const cluster& one,
-    const std::vector<particlePair>& wakePairs,
-    const scalar h
-) const
-{
-    gasStep outside;
-
-    if (!with_.motion.hasWakes())
-    {
-        return outside;
-    }
-
-    // All less those from inside
-    const auto less =
-    [&]
-    (
-        const vectors& w,
-        const vectors& x,
-        const vectors& slip,
-        const scalar s
-    )
-    {
-        vectors inside;
-        with_.motion.wakes
-        (
-            {
-                x, slip, one.p.mobilityDiameter, one.p.range,
-                with_.motion.settling(one.p),
-                with_.motion.imaginarySlip(one.p.rate, one.gas, s, h)
-            },
-            wakePairs,
-            one.p.size(),
-            inside
-        );
-
-        return vectors(w - inside);
-    };
-
-    outside.u0 = less(one.wakes.u0, one.x.u0, one.slip.u0, 0);
-    outside.u1 = less(one.wakes.u1, one.x.u1, one.slip.u1, 1);
-
-    if (one.wakes.um.cols())
-    {
-        outside.um = less(one.wakes.um, one.x.um, one.slip.um, 0.5);
-    }
-
-    return outside;
-}
+    const equationOfMotion& motion,
+    collisions& meetings,
+    const Eigen::Array3d& period,
+    stepCounters& counters
+)
+:
+    motion_(motion),
+    collisions_(meetings),
+    period_(period),
+    counters_(counters)
+{}
 
 
-std::vector<Foam::aerosol::particlePair>
-Foam::aerosol::timeStepping::bothWays(const std::vector<particlePair>& pairs)
-{
-    std::vector<particlePair> both;
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-    for (const particlePair& pair : pairs)
-    {
-        periods back = pair.image;
-        for (std::int8_t& n : back)
-        {
-            n = -n;
-        }
-
-        both.push_back(pair);
-        both.push_back({pair.j, pair.i, back});
-    }
-
-    return both;
-}
-
-
-std::pair<Foam::scalar, int> Foam::aerosol::timeStepping::firstContact
+std::pair<Foam::scalar, int> Foam::aerosol::clusterSolver::firstContact
 (
     const cluster& one,
     const equationOfMotion::state& end,
@@ -131,25 +73,10 @@ std::pair<Foam::scalar, int> Foam::aerosol::timeStepping::firstContact
         }
 
         // A pair that has just bounced is in contact, and may meet again
-        if (with_.collisions.bounces())
-        {
-            const double when = particlePath::firstApproach(a, b, touch);
-
-            if (when <= h && when < first.first)
-            {
-                first = {when, static_cast<int>(k)};
-            }
-            continue;
-        }
-
-        // A pair that touched without sticking must separate before it touches
-        // again
-        const bool onlyNew = with_.collisions.refused(p.id(i), p.id(j));
-
-        const double when =
-            nCollision > 0
-          ? particlePath::firstOverlap(a, b, touch, h/nCollision, onlyNew)
-          : particlePath::firstTouch(a, b, touch, onlyNew);
+        const scalar when =
+            collisions_.bounces()
+          ? particlePath::firstApproach(a, b, touch)
+          : contactTime(a, b, p.id(i), p.id(j), touch, h, nCollision);
 
         // The first of the list if there are more at the same time
         if (when <= h && when < first.first)
@@ -162,7 +89,125 @@ std::pair<Foam::scalar, int> Foam::aerosol::timeStepping::firstContact
 }
 
 
-void Foam::aerosol::timeStepping::redirect
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+Foam::aerosol::stepValues Foam::aerosol::clusterSolver::outsideWakes
+(
+    const cluster& one,
+    const std::vector<particlePair>& wakePairs,
+    const scalar h
+) const
+{
+    stepValues outside;
+
+    if (!motion_.hasWakes())
+    {
+        return outside;
+    }
+
+    // All less those from inside
+    const auto less =
+    [&]
+    (
+        const vectors& w,
+        const vectors& x,
+        const vectors& slip,
+        const scalar s
+    )
+    {
+        vectors inside;
+        motion_.wakes
+        (
+            {
+                x, slip, one.p.mobilityDiameter, one.p.range,
+                motion_.settling(one.p),
+                motion_.imaginarySlip(one.p.rate, one.gas, s, h)
+            },
+            wakePairs,
+            one.p.size(),
+            inside
+        );
+
+        return vectors(w - inside);
+    };
+
+    outside.u0 = less(one.wakes.u0, one.x.u0, one.slip.u0, 0);
+    outside.u1 = less(one.wakes.u1, one.x.u1, one.slip.u1, 1);
+
+    if (one.wakes.um.cols())
+    {
+        outside.um = less(one.wakes.um, one.x.um, one.slip.um, 0.5);
+    }
+
+    return outside;
+}
+
+
+std::vector<Foam::aerosol::particlePair>
+Foam::aerosol::clusterSolver::bothWays(const std::vector<particlePair>& pairs)
+{
+    std::vector<particlePair> both;
+
+    for (const particlePair& pair : pairs)
+    {
+        both.push_back(pair);
+        both.push_back({pair.j, pair.i, reversed(pair.image)});
+    }
+
+    return both;
+}
+
+
+Foam::scalar Foam::aerosol::clusterSolver::contactTime
+(
+    const particlePath& a,
+    const particlePath& b,
+    const std::int64_t idI,
+    const std::int64_t idJ,
+    const scalar touch,
+    const scalar h,
+    const int nCollision
+) const
+{
+    // A pair that touched without sticking must separate before it touches
+    // again
+    const bool onlyNew = collisions_.refused(idI, idJ);
+
+    return
+        nCollision > 0
+      ? particlePath::firstOverlap(a, b, touch, h/nCollision, onlyNew)
+      : particlePath::firstTouch(a, b, touch, onlyNew);
+}
+
+
+Foam::aerosol::contactOutcome::encounter
+Foam::aerosol::clusterSolver::encounterOf
+(
+    const particlePair& pair,
+    const meetingPoint& where,
+    const fluidStep& step,
+    const scalar time,
+    const std::uint64_t count
+) const
+{
+    contactOutcome::encounter encounter;
+
+    encounter.i = pair.i;
+    encounter.j = pair.j;
+    encounter.shift = shift(pair);
+    encounter.xi = where.xi;
+    encounter.xj = where.xj + encounter.shift;
+    encounter.vi = where.vi;
+    encounter.vj = where.vj;
+    encounter.time = time;
+    encounter.step = step.index;
+    encounter.number = randomBlock(noise::whole, step.part, count);
+
+    return encounter;
+}
+
+
+void Foam::aerosol::clusterSolver::redirect
 (
     std::vector<particlePair>& pairs,
     const int survivor,
@@ -215,30 +260,65 @@ void Foam::aerosol::timeStepping::redirect
 }
 
 
-void Foam::aerosol::timeStepping::follow
+void Foam::aerosol::clusterSolver::replaceAbsorbed
 (
-    cluster& one,
-    const scalar t,
-    const scalar h,
-    const int nCollision,
-    const int part
+    std::vector<particlePair>& pairs,
+    const particlePair& met,
+    const int survivor
 )
 {
-    if (with_.motion.hasBrownian())
+    const bool iSurvives = survivor == met.i;
+
+    redirect
+    (
+        pairs,
+        survivor,
+        iSurvives ? met.j : met.i,
+        iSurvives ? met.image : reversed(met.image)
+    );
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+std::unique_ptr<Foam::aerosol::clusterSolver>
+Foam::aerosol::clusterSolver::New
+(
+    const equationOfMotion& motion,
+    collisions& meetings,
+    const Eigen::Array3d& period,
+    stepCounters& counters
+)
+{
+    if (motion.hasBrownian())
     {
-        followBrownian(one, t, h, nCollision, part);
-        return;
+        return std::make_unique<BrownianClusterSolver>
+        (
+            motion, meetings, period, counters
+        );
     }
 
+    return std::make_unique<clusterSolver>(motion, meetings, period, counters);
+}
+
+
+void Foam::aerosol::clusterSolver::solve
+(
+    cluster& one,
+    const fluidStep& step,
+    const int nCollision
+)
+{
     // Gap below which two particles count as touching, relative to the distance
     // of contact
     constexpr double closed = 1e-10;
 
+    const scalar h = step.h;
     particleArrays& p = one.p;
     const scalar longest = h/one.nSteps;
 
     std::vector<particlePair> wakePairs = bothWays(one.contactPairs);
-    const gasStep outside = outsideWakes(one, wakePairs, h);
+    const stepValues outside = outsideWakes(one, wakePairs, h);
 
     equationOfMotion::state end;
     std::vector<char> leftOut(one.contactPairs.size(), 0);
@@ -247,17 +327,17 @@ void Foam::aerosol::timeStepping::follow
 
     const auto moveOver = [&](const scalar length, equationOfMotion::state& to)
     {
-        with_.motion.step
+        motion_.step
         (
             length,
             p,
             wakePairs,
             one.gas.part(now/h, (now + length)/h),
             outside.part(now/h, (now + length)/h),
-            nIterations,
+            neighbourWakes::nIterations,
             to
         );
-        effort_.clusterMoves += p.size();
+        counters_.clusterMoves += p.size();
     };
 
     while (h - now > 1e-9*longest)
@@ -313,26 +393,26 @@ void Foam::aerosol::timeStepping::follow
             end.v = p.v;
         }
 
-        contactOutcome::encounter encounter;
-        encounter.i = pair.i;
-        encounter.j = pair.j;
-        encounter.shift = shift(pair);
-        encounter.xi = end.x.col(pair.i);
-        encounter.xj = end.x.col(pair.j) + encounter.shift;
-        encounter.vi = end.v.col(pair.i);
-        encounter.vj = end.v.col(pair.j);
-        encounter.time = t + now + when;
-        encounter.step = step_;
-        encounter.number = block(noise::whole, part, nContacts++);
+        const contactOutcome::encounter encounter = encounterOf
+        (
+            pair,
+            {
+                end.x.col(pair.i), end.x.col(pair.j),
+                end.v.col(pair.i), end.v.col(pair.j)
+            },
+            step,
+            step.t + now + when,
+            nContacts++
+        );
 
         // In contact on its path, but by its motion only nearly so
-        if (with_.collisions.bounces() && encounter.approach() <= 0)
+        if (collisions_.bounces() && encounter.approach() <= 0)
         {
             leftOut[found.second] = 1;
             continue;
         }
 
-        const int survivor = with_.collisions.meet(p, encounter);
+        const int survivor = collisions_.meet(p, encounter);
 
         if (survivor == collisions::passed)
         {
@@ -360,29 +440,14 @@ void Foam::aerosol::timeStepping::follow
         p.v.col(survivor) = vs;
         now += when;
 
-        with_.motion.refresh(p, survivor);
+        motion_.refresh(p, survivor);
 
-        periods image = pair.image;
-        if (survivor == pair.j)
-        {
-            for (std::int8_t& n : image)
-            {
-                n = -n;
-            }
-        }
-
-        redirect
-        (
-            one.contactPairs,
-            survivor,
-            survivor == pair.i ? pair.j : pair.i,
-            image
-        );
+        replaceAbsorbed(one.contactPairs, pair, survivor);
         wakePairs = bothWays(one.contactPairs);
         leftOut.assign(one.contactPairs.size(), 0);
     }
 
-    one.absorbed = with_.collisions.takeAbsorbed(p.size());
+    one.absorbed = collisions_.takeAbsorbed(p.size());
 }
 
 

@@ -1,0 +1,195 @@
+/*---------------------------------------------------------------------------*\
+    acousticDEM: acoustic agglomeration of aerosols
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "neighbourList.H"
+
+#include <algorithm>>
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::aerosol::neighbourList::neighbourList
+(
+    const domain& region,
+    const bool shared
+)
+:
+    ghosts_(region, shared)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::aerosol::neighbourList::findTouching
+(
+    cellGrid& grid,
+    const scalars& id,
+    const vectors& x,
+    const scalars& reach
+)
+{
+    ghosts_.build(x, reach, true);
+
+    vectors places = x;
+    scalars reaches = reach;
+    scalars ids = id;
+
+    ghosts_.fill
+    ({
+        {places, ghosts_, true},
+        {reaches, ghosts_},
+        {ids, ghosts_}
+    });
+
+    ghostId_ = ids.tail(ghosts_.nGhosts());
+
+    grid.build(places, reaches);
+    grid.touching(ghosts_.n(), ids, pairs_);
+}
+
+
+void Foam::aerosol::neighbourList::findActing
+(
+    cellGrid& grid,
+    const scalars& id,
+    vectors x,
+    const scalars& reach,
+    const scalars& skin
+)
+{
+    const bool mutual = skin.size();
+
+    scalars reaches = mutual ? scalars(reach.max(skin)) : reach;
+    scalars skins = skin;
+    scalars ids = id;
+
+    ghosts_.build(x, reaches, mutual);
+
+    std::vector<ghosts::quantity> quantities
+    {
+        {x, ghosts_, true}, {reaches, ghosts_}, {ids, ghosts_}
+    };
+    if (mutual)
+    {
+        quantities.push_back({skins, ghosts_});
+    }
+    ghosts_.fill(quantities);
+
+    grid.build(x, reaches);
+
+    if (mutual)
+    {
+        grid.acting(ghosts_.n(), ids, skins, pairs_);
+    }
+    else
+    {
+        grid.acting(ghosts_.n(), ids, pairs_);
+    }
+}
+
+
+void Foam::aerosol::neighbourList::fillIds(const scalars& id)
+{
+    ghosts_.fill({{id, ghostId_, ghosts_}});
+}
+
+
+void Foam::aerosol::neighbourList::keepNeededGhosts()
+{
+    const int n = ghosts_.n();
+    std::vector<char> needed(ghosts_.nGhosts(), 0);
+
+    for (const particlePair& pair : pairs_)
+    {
+        if (pair.j >= n)
+        {
+            needed[pair.j - n] = 1;
+        }
+    }
+
+    const std::vector<int> places = ghosts_.keep(needed);
+
+    for (particlePair& pair : pairs_)
+    {
+        if (pair.j >= n)
+        {
+            pair.j = n + places[pair.j - n];
+        }
+    }
+}
+
+
+void Foam::aerosol::neighbourList::remove
+(
+    const std::vector<char>& marked,
+    const std::vector<int>& places,
+    const int left
+)
+{
+    const int n = ghosts_.n();
+
+    const scalars gone =
+        Eigen::Map<const Eigen::Array<char, Eigen::Dynamic, 1>>
+        (
+            marked.data(), n
+        ).cast<double>();
+
+    scalars ghostsGone;
+    ghosts_.fill({{gone, ghostsGone, ghosts_}});
+
+    const auto lost = [&](const particlePair& pair)
+    {
+        return
+            marked[pair.i]
+         || (pair.j < n ? marked[pair.j] : ghostsGone(pair.j - n));
+    };
+
+    pairs_.erase
+    (
+        std::remove_if(pairs_.begin(), pairs_.end(), lost), pairs_.end()
+    );
+
+    keepNeededGhosts();
+    ghosts_.renumber(places, left);
+
+    for (particlePair& pair : pairs_)
+    {
+        pair.i = places[pair.i];
+        pair.j = pair.j < n ? places[pair.j] : left + pair.j - n;
+    }
+}
+
+
+// * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
+
+std::vector<Foam::aerosol::particlePair>
+Foam::aerosol::neighbourList::touching
+(
+    const domain& region,
+    const vectors& x,
+    const scalars& reach
+)
+{
+    const int n = static_cast<int>(reach.size());
+
+    neighbourList list(region, true);
+    cellGrid grid;
+
+    list.findTouching(grid, scalars::LinSpaced(n, 0, n - 1), x, reach);
+
+    for (particlePair& pair : list.pairs_)
+    {
+        pair.image = list.ghosts_.image(pair.j);
+
+        if (pair.j >= n)
+        {
+            pair.j = static_cast<int>(list.ghostId_(pair.j - n));
+        }
+    }
+
+    return list.pairs_;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,599 @@
+/*---------------------------------------------------------------------------*\
+    acousticDEM: acoustic agglomeration of aerosols
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "encounterFinder.H"
+#include "communicator.H"
+#include "pathSphere.H"
+
+#include <algorithm>>
+#include <cmath>>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- In radii: what is added to the sphere of a path, and the distance in which
+//  wakes must be followed closely
+constexpr double margin = 3;
+constexpr double encounter = 5;
+
+//- If a source has more neighbours than this within its oscillation amplitude,
+//  on average, lists are made anew in every step
+constexpr double crowd = 200;
+
+//- How far a particle may get in a step, in its displacement without wakes: the
+//  tenth more is for wakes and for the curvature of its path. A pair that gets
+//  within range nevertheless is where hardly anything is left of the wake.
+constexpr double wakeMargin = 1.1;
+
+//- More steps than this are not needed: contact ends the approach. Brownian
+//  motion strays as the root of time, and needs more.
+constexpr int maxSteps = 64;
+constexpr int maxBrownianSteps = 1024;
+
+//- In standard deviations of the Wiener process: how far a pair is taken to
+//  stray from its straight line, which it exceeds with a probability of 1e-8,
+//  and how far for the choice of the steps
+constexpr double strays = 3;
+constexpr double straysOften = 1.5;
+
+
+//- So many that the distance changes by no more than is to be resolved in one
+int stepsNeeded
+(
+    const double distance,
+    const double deviation,
+    const double resolved
+)
+{
+    const double straight =
+        std::min(double(maxSteps), std::ceil(distance/resolved));
+    const double Brownian =
+        std::min
+        (
+            double(maxBrownianSteps),
+            std::ceil(deviation*deviation/(resolved*resolved))
+        );
+
+    return static_cast<int>(std::max({1.0, straight, Brownian}));
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::aerosol::encounterFinder::encounterFinder
+(
+    const acoustics::soundField& sound,
+    const domain& region,
+    const equationOfMotion& motion,
+    const collisions& meetings,
+    const gasSampler& sampler,
+    const relativeMotion& relative,
+    neighbourWakes& wakes,
+    stepCounters& counters,
+    const scalar resolution
+)
+:
+    sound_(sound),
+    domain_(region),
+    motion_(motion),
+    collisions_(meetings),
+    sampler_(sampler),
+    relative_(relative),
+    wakes_(wakes),
+    counters_(counters),
+    resolution_(resolution),
+    contacts_(region),
+    wakeCandidates_(region),
+    paths_(motion)
+{}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::aerosol::encounterFinder::searchContacts
+(
+    const particleArrays& p,
+    const vectors& x,
+    const scalars& reach
+)
+{
+    contacts_.pairs().clear();
+
+    if (collisions_.active())
+    {
+        contacts_.findTouching(grid_, p.id.cast<double>(), x, reach);
+    }
+}
+
+
+Foam::aerosol::scalars Foam::aerosol::encounterFinder::wakesNow
+(
+    const particleArrays& p,
+    const stepGas& gas,
+    const scalar h,
+    vectors& w
+)
+{
+    if (!motion_.hasWakes())
+    {
+        return {};
+    }
+
+    const double omega = 2*EIGEN_PI*sound_.frequency();
+    const double u0 = std::max(sound_.velocityAmplitude(), 0.0);
+    const int n = p.size();
+
+    // The slip of Stokes' response, times the radius; and how far a source gets
+    // as it oscillates: a particle out of range now may come into range then
+    scalars strength(n);
+    scalars reach = p.range;
+    for (int j = 0; j < n; ++j)
+    {
+        // Finite also without drag
+        const double s = p.rate(j) > 1e-8*omega ? omega/p.rate(j) : 1e8;
+        const double slip = s/std::sqrt(1 + s*s)*u0;
+
+        strength(j) = 0.5*p.mobilityDiameter(j)*slip;
+
+        if (omega > 0 && reach(j) > 0)
+        {
+            reach(j) += 2*slip/omega;
+        }
+    }
+
+    // Pairs per particle
+    const double all = communicator::sum(n);
+    const double volume = domain_.volume();
+    const double meanDistance = std::cbrt(volume/all);
+
+    vectors spheres = vectors::Zero(3, n);
+    spheres.row(0) =
+        4*EIGEN_PI/3*(reach/meanDistance).cube().matrix().transpose();
+
+    if (communicator::mean(spheres)(0) > crowd)
+    {
+        return scalars::Constant(n, -1);
+    }
+
+    wakes_.search(grid_, p, p.x, reach);
+
+    const ghosts& layer = wakes_.list().layer();
+
+    vectors ghostX;
+    layer.fill
+    ({
+        {p.x, ghostX, layer, true},
+        {strength, layer},
+    });
+
+    scalars speed = scalars::Zero(n);
+
+    for (const particlePair& pair : wakes_.list().pairs())
+    {
+        const vectors& xj = pair.j < n ? p.x : ghostX;
+        const int column = pair.j < n ? pair.j : pair.j - n;
+        const double r = (p.x.col(pair.i) - xj.col(column)).norm();
+
+        speed(pair.i) +=
+            1.5*strength(pair.j)/std::max(r, 0.5*p.collisionDiameter(pair.i));
+    }
+
+    wakes_.involve(p);
+    w = wakes_.now(p, gas, h);
+
+    return speed;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::aerosol::encounterFinder::list
+(
+    const particleArrays& p,
+    const fluidStep& step
+)
+{
+    const scalar h = step.h;
+    const bool Brownian = motion_.hasBrownian();
+
+    // Two alike may merge
+    scalars least = motion_.growth()*(1 + margin)*0.5*p.collisionDiameter;
+
+    if (Brownian)
+    {
+        const Brownian::extent reach = motion_.reach(h, p);
+
+        least =
+            least.max(0.5*p.collisionDiameter + strays*reach.stray.sqrt())
+          + 2*reach.x;
+    }
+
+    // Where they are about to go, in wakes as they are now
+    const stepGas gas = sampler_.whenAsked(p, step, false);
+    vectors w;
+    const scalars wakeSpeed = wakesNow(p, gas, h, w);
+
+    equationOfMotion::state end;
+    particleStep::inRuns
+    (
+        p,
+        [&](const int first, const int size)
+        {
+            stepValues wakes;
+            if (w.cols())
+            {
+                wakes.u0 = w.middleCols(first, size);
+            }
+
+            motion_.move
+            (
+                h, p, gas.run(first, size), wakes, false, end, first
+            );
+        }
+    );
+
+    const scalar furthest = skin_.make
+    (
+        p,
+        end.x,
+        end.v,
+        wakeSpeed,
+        least,
+        h,
+        sound_.frequency(),
+        std::max(sound_.velocityAmplitude(), 0.0),
+        communicator::sum(p.size())/domain_.volume()
+    );
+    const scalars& skin = skin_.sizes();
+
+    relative_.requireShort(communicator::sum(p.size()) < 2 ? 0.0 : furthest, h);
+    searchContacts(p, skin_.centres(), skin);
+    contacts_.keepNeededGhosts();
+    contacts_.fillIds(p.id.cast<double>());
+
+    // For one step only, findWakes looks for them
+    listedRange_ = p.range;
+    if (skin_.lasting())
+    {
+        wakeCandidates_.pairs().clear();
+
+        if (motion_.hasWakes())
+        {
+            wakeCandidates_.findActing
+            (
+                grid_,
+                p.id.cast<double>(),
+                skin_.centres(),
+                (p.range > 0).select(p.range + skin, 0),
+                skin
+            );
+        }
+
+        wakeCandidates_.keepNeededGhosts();
+    }
+}
+
+
+void Foam::aerosol::encounterFinder::findWakes
+(
+    const particleArrays& p,
+    const equationOfMotion::state& end,
+    const Eigen::Vector3d& meanDisplacement
+)
+{
+    if (!motion_.hasWakes())
+    {
+        return;
+    }
+
+    const int n = p.size();
+
+    const scalars displacement =
+        wakeMargin
+       *((end.x - p.x).colwise() - meanDisplacement).colwise().norm()
+       .transpose().array();
+    const scalars reach = (p.range > 0).select(p.range + displacement, 0);
+
+    bool listed = skin_.lasting();
+
+    if (listed && communicator::max(!skin_.contain(p, displacement)) > 0)
+    {
+        listed = false;
+        skin_.expire();
+    }
+
+    if (!listed)
+    {
+        // Less the mean displacement, as in `find`
+        wakes_.search
+        (
+            grid_, p, p.x.colwise() - skin_.moved(), reach, displacement
+        );
+        wakes_.involve(p);
+        return;
+    }
+
+    ghosts& layer = wakes_.list().layer();
+    std::vector<particlePair>& pairs = wakes_.list().pairs();
+
+    layer = wakeCandidates_.layer();
+    layer.fill
+    ({
+        {p.x, wakeGhostX_, layer, true},
+        {reach, wakeGhostReach_, layer}
+    });
+
+    pairs.clear();
+
+    for (const particlePair& pair : wakeCandidates_.pairs())
+    {
+        const bool own = pair.j < n;
+        const double* const xi = p.x.data() + 3*pair.i;
+        const double* const xj =
+            own ? p.x.data() + 3*pair.j : wakeGhostX_.data() + 3*(pair.j - n);
+        const double far =
+            (own ? reach(pair.j) : wakeGhostReach_(pair.j - n))
+          + displacement(pair.i);
+
+        const double r[3] = {xi[0] - xj[0], xi[1] - xj[1], xi[2] - xj[2]};
+
+        if (r[0]*r[0] + r[1]*r[1] + r[2]*r[2] <= far*far)
+        {
+            pairs.push_back(pair);
+        }
+    }
+
+    wakes_.involve(p);
+}
+
+
+Foam::aerosol::encounters Foam::aerosol::encounterFinder::find
+(
+    const particleArrays& p,
+    const equationOfMotion::state& end,
+    const Eigen::Vector3d& meanDisplacement,
+    const scalar h
+)
+{
+    const int n = p.size();
+    const bool Brownian = motion_.hasBrownian();
+
+    const vectors& start = stepPaths::begin(p, end);
+    const vectors& final = stepPaths::finish(end);
+
+    const scalars stray =
+        Brownian ? motion_.reach(h, p).stray : scalars();
+
+    // In the frame of the common motion
+    const Eigen::Vector3d mean = meanDisplacement/h;
+
+    const auto sphereOf =
+    [&]
+    (
+        const Eigen::Vector3d& x0,
+        const Eigen::Vector3d& v0,
+        const Eigen::Vector3d& x1,
+        const Eigen::Vector3d& v1,
+        const double d,
+        const double strayed
+    )
+    {
+        return pathSphere
+        (
+            x0,
+            v0 - mean,
+            x1 - x0 - meanDisplacement,
+            v1 - mean,
+            h,
+            std::max
+            (
+                (1 + margin)*0.5*d,
+                0.5*d + (Brownian ? strays*std::sqrt(strayed) : 0.0)
+            )
+        );
+    };
+
+    const auto sphereOfOwn = [&](const int i)
+    {
+        return sphereOf
+        (
+            p.x.col(i), start.col(i), end.x.col(i), final.col(i),
+            p.collisionDiameter(i), Brownian ? stray(i) : 0.0
+        );
+    };
+
+    const auto sphereOfGhost = [&](const int c)
+    {
+        return sphereOf
+        (
+            paths_.x0.col(c), paths_.v0.col(c), paths_.x1.col(c),
+            paths_.v1.col(c), paths_.d(c), Brownian ? paths_.ghostStray(c) : 0.0
+        );
+    };
+
+    scalars extra;
+    if (Brownian)
+    {
+        extra = 0.5*p.collisionDiameter + strays*stray.sqrt();
+    }
+
+    const bool held = skin_.hold
+    (
+        p, start, end.x, final, h, meanDisplacement, 1 + margin, extra
+    );
+    skin_.move(meanDisplacement);
+
+    if (communicator::max(!held) > 0)
+    {
+        // A particle left its skin, so that pairs may be missing: search
+        vectors middle(3, n);
+        scalars reach(n);
+        double furthest = 0;
+
+        for (int i = 0; i < n; ++i)
+        {
+            const pathSphere one = sphereOfOwn(i);
+            middle.col(i) = one.middle;
+            reach(i) = one.radius;
+            furthest = std::max(furthest, 2*(one.middle - p.x.col(i)).norm());
+        }
+
+        // Less the mean displacement since the last migration, which brings no
+        // particles together: else a mean flow would need ever more ghosts
+        middle.colwise() -= skin_.moved() - meanDisplacement;
+
+        skin_.expire();
+        relative_.requireShort(furthest, h);
+        searchContacts(p, middle, reach);
+    }
+
+    paths_.fill(contacts_.layer(), p, end, h);
+
+    pairs_.clear();
+    std::vector<int> steps;
+
+    for (const particlePair& pair : contacts_.pairs())
+    {
+        const int i = pair.i;
+        const int j = pair.j;
+
+        const pathSphere a = sphereOfOwn(i);
+        const pathSphere b = j < n ? sphereOfOwn(j) : sphereOfGhost(j - n);
+        const double sum = a.radius + b.radius;
+
+        if ((b.middle - a.middle).squaredNorm() > sum*sum)
+        {
+            continue;
+        }
+
+        pairs_.push_back(pair);
+        steps.push_back(0);
+
+        Eigen::Vector3d r0 = -p.x.col(i);
+        Eigen::Vector3d chord = p.x.col(i) - end.x.col(i);
+        Eigen::Vector3d v0 = -start.col(i);
+        Eigen::Vector3d v1 = -final.col(i);
+        double radii = 0.5*p.collisionDiameter(i);
+
+        if (j < n)
+        {
+            r0 += p.x.col(j);
+            chord += end.x.col(j) - p.x.col(j);
+            v0 += start.col(j);
+            v1 += final.col(j);
+            radii += 0.5*p.collisionDiameter(j);
+        }
+        else
+        {
+            const int c = j - n;
+
+            r0 += paths_.x0.col(c);
+            chord += paths_.x1.col(c) - paths_.x0.col(c);
+            v0 += paths_.v0.col(c);
+            v1 += paths_.v1.col(c);
+            radii += 0.5*paths_.d(c);
+        }
+
+        // The closest point of the straight line
+        const double s =
+            std::min
+            (
+                1.0,
+                std::max(0.0, -r0.dot(chord)/(chord.squaredNorm() + VSMALL))
+            );
+        const double bulge = pathSphere::bulge(v0, chord, v1, h);
+        const double closest = (r0 + s*chord).norm() - bulge;
+
+        const double deviation =
+            Brownian
+          ? std::sqrt(stray(i) + (j < n ? stray(j) : paths_.ghostStray(j - n)))
+          : 0;
+
+        if
+        (
+            closest < encounter*radii
+         || closest < radii + strays*deviation
+        )
+        {
+            const double distance = chord.norm() + 2*bulge;
+
+            const double resolved =
+                resolution_
+               *std::max(closest - straysOften*deviation, radii);
+
+            steps.back() = stepsNeeded(distance, deviation, resolved);
+        }
+    }
+
+    counters_.contactPairs += pairs_.size();
+
+    return {contacts_.layer(), contacts_.ghostId(), pairs_, steps};
+}
+
+
+void Foam::aerosol::encounterFinder::update
+(
+    particleArrays& p,
+    const std::vector<char>& absorbed,
+    const std::vector<int>& returned
+)
+{
+    const int n = p.size();
+    const bool withWakes = motion_.hasWakes();
+
+    for (const int i : returned)
+    {
+        if (withWakes && p.range(i) > listedRange_(i))
+        {
+            skin_.shrink(i, p.range(i) - listedRange_(i));
+            listedRange_(i) = p.range(i);
+        }
+
+        skin_.check(i, p.x.col(i), (1 + margin)*0.5*p.collisionDiameter(i));
+    }
+
+    const bool any =
+        std::find(absorbed.begin(), absorbed.end(), 1) != absorbed.end();
+
+    if (communicator::max(any) == 0)
+    {
+        return;
+    }
+
+    // The index of each particle from now on
+    std::vector<int> places(n);
+    int left = 0;
+    for (int i = 0; i < n; ++i)
+    {
+        places[i] = absorbed[i] ? -1 : i;
+        left += !absorbed[i];
+    }
+    for (const auto& move : moves(absorbed))
+    {
+        places[move.first] = move.second;
+    }
+
+    contacts_.remove(absorbed, places, left);
+
+    if (withWakes)
+    {
+        if (skin_.lasting())
+        {
+            wakeCandidates_.remove(absorbed, places, left);
+        }
+        aerosol::remove(listedRange_, absorbed);
+    }
+
+    skin_.remove(absorbed);
+    p.remove(absorbed);
+    contacts_.fillIds(p.id.cast<double>());
+}
+
+
+// ************************************************************************* //
