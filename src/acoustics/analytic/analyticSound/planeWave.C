@@ -6,8 +6,9 @@
 #include "planeWave.H"
 
 #include "checkedEntry.H"
-#include "mathematicalConstants.H"
 #include "eigenVector.H"
+#include "mathematicalConstants.H"
+#include "sineSeries.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -92,19 +93,7 @@ Foam::acoustics::planeWave::sine(const Eigen::ArrayXd& angles)
         const double odd = n - 2*((0.5*n + rounding) - rounding);
         const double sign = 1 - 2*odd*odd;
 
-        const double z = y*y;
-        double s = 1 - z*(1.0/(20*21));
-        s = 1 - z*(1.0/(18*19))*s;
-        s = 1 - z*(1.0/(16*17))*s;
-        s = 1 - z*(1.0/(14*15))*s;
-        s = 1 - z*(1.0/(12*13))*s;
-        s = 1 - z*(1.0/(10*11))*s;
-        s = 1 - z*(1.0/(8*9))*s;
-        s = 1 - z*(1.0/(6*7))*s;
-        s = 1 - z*(1.0/(4*5))*s;
-        s = 1 - z*(1.0/(2*3))*s;
-
-        sine[i] = sign*y*s;
+        sine[i] = sign*y*sineSeries(y*y);
     }
 
     return result;

@@ -5,6 +5,7 @@
 
 #include "verletSkin.H"
 #include "communicator.H"
+#include "StokesResponse.H"
 
 #include <array>
 #include <cmath>
@@ -75,11 +76,9 @@ double Foam::aerosol::verletSkin::make
     {
         for (int i = 0; i < n; ++i)
         {
-            // Finite also without drag
-            const double s =
-                p.rate(i) > 1e-8*omega ? omega/p.rate(i) : 1e8;
-            response(0, i) = 1/(1 + s*s);
-            response(1, i) = -s/(1 + s*s);
+            const StokesResponse H(p.rate(i), omega);
+            response(0, i) = H.real();
+            response(1, i) = H.imaginary();
         }
     }
 

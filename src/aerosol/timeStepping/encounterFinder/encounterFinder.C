@@ -6,6 +6,7 @@
 #include "encounterFinder.H"
 #include "communicator.H"
 #include "pathSphere.H"
+#include "StokesResponse.H"
 
 #include <algorithm>>
 #include <cmath>>
@@ -135,9 +136,7 @@ Foam::aerosol::scalars Foam::aerosol::encounterFinder::wakesNow
     scalars reach = p.range;
     for (int j = 0; j < n; ++j)
     {
-        // Finite also without drag
-        const double s = p.rate(j) > 1e-8*omega ? omega/p.rate(j) : 1e8;
-        const double slip = s/std::sqrt(1 + s*s)*u0;
+        const double slip = StokesResponse(p.rate(j), omega).slip()*u0;
 
         strength(j) = 0.5*p.mobilityDiameter(j)*slip;
 

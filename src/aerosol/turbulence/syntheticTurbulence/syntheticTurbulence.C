@@ -10,6 +10,7 @@
 #include "checkedEntry.H"
 #include "dimensionSets.H"
 #include "mathematicalConstants.H"
+#include "sineSeries.H"
 #include "Switch.H"
 
 #include <Eigen/Dense>
@@ -104,16 +105,7 @@ void sineCosine
     const blockScalars y = EIGEN_PI*(r - ((r + rounding) - rounding));
     const blockScalars z = y*y;
 
-    blockScalars s = 1 - z*(1.0/(20*21));
-    s = 1 - z*(1.0/(18*19))*s;
-    s = 1 - z*(1.0/(16*17))*s;
-    s = 1 - z*(1.0/(14*15))*s;
-    s = 1 - z*(1.0/(12*13))*s;
-    s = 1 - z*(1.0/(10*11))*s;
-    s = 1 - z*(1.0/(8*9))*s;
-    s = 1 - z*(1.0/(6*7))*s;
-    s = 1 - z*(1.0/(4*5))*s;
-    s = y*(1 - z*(1.0/(2*3))*s);
+    const blockScalars s = y*Foam::sineSeries(z);
 
     blockScalars c = 1 - z*(1.0/(21*22));
     c = 1 - z*(1.0/(19*20))*c;

@@ -6,6 +6,7 @@
 #include "BassetDrag.H"
 #include "addToRunTimeSelectionTable.H"
 #include "checkedEntry.H"
+#include "meanDecay.H"
 #include "Tuple2.H"
 
 #include <Eigen/QR>
@@ -63,9 +64,7 @@ struct decay
     {
         for (int j = 0; j < times.size(); ++j)
         {
-            const double z = h/times(j);
-
-            mean(j) = z > 1e-12 ? -std::expm1(-z)/z : 1;
+            mean(j) = Foam::meanDecay(h/times(j));
         }
     }
 };
