@@ -173,3 +173,26 @@ def test_citation_is_complete_and_of_the_last_release():
     changes = (ROOT/"CHANGELOG.md").read_text()
     headings = re.findall(r"(?m)^## (.*)$", changes)
     assert headings[:2] == ["[Unreleased]", f"[{version}] - {date}"]
+
+
+@pytest.mark.parametrize("library", ["acoustics", "aerosol"])
+def test_folders_of_a_library_form_no_circle(library):
+    """Each looks only down: by the headers that its files include."""
+    files = [
+        path for path in (ROOT/"src"/library).rglob("*.[CH]")
+        if "lnInclude" not in path.parts and "Make" not in path.parts
+    ]
+    folder = {path: path.relative_to(ROOT/"src"/library).parts[0] for path in files}
+    home = {path.name: folder[path] for path in files if path.suffix == ".H"}
+    below = {name: set() for name in folder.values()}
+    for path in files:
+        for header in re.findall(r'#include "([^"]+)"', path.read_text()):
+            below[folder[path]].add(home.get(header, folder[path]))
+    assert len(below) > 8
+    # Take away the lowest ones until none is left
+    while below:
+        lowest = {a for a, others in below.items() if not others - {a}}
+        assert lowest, f"a circle among {sorted(below)}"
+        below = {
+            a: others - lowest for a, others in below.items() if a not in lowest
+        }
