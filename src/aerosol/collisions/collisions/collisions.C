@@ -6,6 +6,7 @@
 #include "collisions.H"
 #include "communicator.H"
 #include "DynamicList.H"
+#include "packedRecord.H"
 
 #include <Eigen/Geometry>
 
@@ -86,19 +87,11 @@ void Foam::aerosol::collisions::remember
     setImpact(survivor, hardest);
     setImpact(absorbed, breakage::impact());
 
-    for
-    (
-        const double value :
-        {
-            double(survivor), hardest.energy, hardest.mass,
-            hardest.direction.x(), hardest.direction.y(),
-            hardest.direction.z(),
-            double(absorbed), 0.0, 0.0, 0.0, 0.0, 0.0
-        }
-    )
-    {
-        newImpacts_.push_back(value);
-    }
+    recordWriter(newImpacts_)
+        << double(survivor) << hardest.energy << hardest.mass
+        << hardest.direction;
+    recordWriter(newImpacts_)
+        << double(absorbed) << 0.0 << 0.0 << Eigen::Vector3d(0, 0, 0);
 }
 
 
@@ -248,37 +241,26 @@ Foam::aerosol::collisions::takeRecords()
 
     for (const record& r : records_)
     {
-        for
-        (
-            const double value :
-            {
-                r.time, double(r.id1), double(r.id2), r.d1, r.d2, r.speed,
-                r.angle, double(r.merged), double(r.bounced), double(r.number)
-            }
-        )
-        {
-            mine.push_back(value);
-        }
+        recordWriter(mine)
+            << r.time << double(r.id1) << double(r.id2) << r.d1 << r.d2
+            << r.speed << r.angle << double(r.merged) << double(r.bounced)
+            << double(r.number);
     }
     records_.clear();
 
     std::vector<record> taken;
+    const messages all = exchangeWithAll(mine);
 
-    for
-    (
-        const std::vector<double>& part :
-        communicator::exchange(messages(communicator::nRanks(), mine))
-    )
+    for (const auto& one : records(all, length))
     {
-        for (std::size_t k = 0; k < part.size(); k += length)
-        {
-            taken.push_back
-            ({
-                part[k], std::int64_t(part[k + 1]), std::int64_t(part[k + 2]),
-                part[k + 3], part[k + 4], part[k + 5], part[k + 6],
-                part[k + 7] > 0, part[k + 8] > 0, std::uint64_t(part[k + 9])
-            });
-        }
+        const double* const part = one.first;
+
+        taken.push_back
+        ({
+            part[0], std::int64_t(part[1]), std::int64_t(part[2]), part[3],
+            part[4], part[5], part[6], part[7] > 0, part[8] > 0,
+            std::uint64_t(part[9])
+        });
     }
 
     std::sort
@@ -314,42 +296,31 @@ void Foam::aerosol::collisions::share()
         return;
     }
 
-    const auto ofAll = [](std::vector<double>& mine)
+    const messages refused = exchangeWithAll(newlyRefused_);
+    const messages impacts = exchangeWithAll(newImpacts_);
+    newlyRefused_.clear();
+    newImpacts_.clear();
+
+    for (const auto& one : records(refused, 2))
     {
-        messages all = communicator::exchange
+        refused_.insert
         (
-            messages(communicator::nRanks(), mine)
+            std::minmax(std::int64_t(one.first[0]), std::int64_t(one.first[1]))
         );
-        mine.clear();
-
-        return all;
-    };
-
-    for (const std::vector<double>& part : ofAll(newlyRefused_))
-    {
-        for (std::size_t k = 0; k < part.size(); k += 2)
-        {
-            refused_.insert
-            (
-                std::minmax(std::int64_t(part[k]), std::int64_t(part[k + 1]))
-            );
-        }
     }
 
     // No particle was in more than one cluster since the last time
-    for (const std::vector<double>& part : ofAll(newImpacts_))
+    for (const auto& one : records(impacts, 6))
     {
-        for (std::size_t k = 0; k < part.size(); k += 6)
-        {
-            setImpact
-            (
-                std::int64_t(part[k]),
-                {
-                    part[k + 1], part[k + 2],
-                    Eigen::Vector3d(part[k + 3], part[k + 4], part[k + 5])
-                }
-            );
-        }
+        recordReader record(one.first);
+        const std::int64_t id = std::int64_t(record.number());
+
+        breakage::impact hit;
+        hit.energy = record.number();
+        hit.mass = record.number();
+        hit.direction = record.vector();
+
+        setImpact(id, hit);
     }
 }
 

@@ -4,11 +4,11 @@
 \*---------------------------------------------------------------------------*/
 
 #include "fragmentation.H"
-#include "communicator.H"
 #include "checkedDictionary.H"
 #include "checkedEntry.H"
 #include "dimensionSets.H"
 #include "noBreakage.H"
+#include "packedRecord.H"
 
 #include <algorithm>
 #include <cmath>
@@ -262,17 +262,9 @@ bool Foam::aerosol::fragmentation::apply
         two.v.col(0) -= two.m(1)/p.m(i)*speed;
         two.v.col(1) += two.m(0)/p.m(i)*speed;
 
-        for
-        (
-            const double number :
-            {
-                double(p.id(i)), p.d(i), two.d(1), double(p.primaries(i)),
-                double(two.primaries(1))
-            }
-        )
-        {
-            numbers.push_back(number);
-        }
+        recordWriter(numbers)
+            << double(p.id(i)) << p.d(i) << two.d(1)
+            << double(p.primaries(i)) << double(two.primaries(1));
 
         mine.push_back({i, std::move(two)});
     }
@@ -282,22 +274,18 @@ bool Foam::aerosol::fragmentation::apply
 
     std::map<std::int64_t, record> all;
 
-    for
-    (
-        const std::vector<double>& part :
-        communicator::exchange(messages(communicator::nRanks(), numbers))
-    )
-    {
-        for (std::size_t k = 0; k < part.size(); k += length)
-        {
-            const std::int64_t id = part[k];
+    const messages received = exchangeWithAll(numbers);
 
-            all[id] =
-            {
-                t, id, 0, part[k + 1], part[k + 2], std::int64_t(part[k + 3]),
-                std::int64_t(part[k + 4])
-            };
-        }
+    for (const auto& one : records(received, length))
+    {
+        const double* const part = one.first;
+        const std::int64_t id = part[0];
+
+        all[id] =
+        {
+            t, id, 0, part[1], part[2], std::int64_t(part[3]),
+            std::int64_t(part[4])
+        };
     }
 
     for (auto& one : all)
