@@ -12,7 +12,7 @@ Description
 
 #include <gtest/gtest.h>>
 
-#include <cmath>>
+#include <cmath>
 
 using namespace Foam;
 

@@ -6,8 +6,8 @@
 #include "clusterExchange.H"
 #include "packedRecord.H"
 
-#include <algorithm>>
-#include <tuple>>
+#include <algorithm>
+#include <tuple>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 

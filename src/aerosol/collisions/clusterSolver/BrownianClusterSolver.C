@@ -10,9 +10,9 @@
 #include "relativeMotion.H"
 #include "stepPaths.H"
 
-#include <cmath>>
-#include <queue>>
-#include <tuple>>
+#include <cmath>
+#include <queue>
+#include <tuple>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 

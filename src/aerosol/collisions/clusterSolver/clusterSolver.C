@@ -8,9 +8,9 @@
 #include "neighbourWakes.H"
 #include "randomBlock.H"
 
-#include <algorithm>>
-#include <cmath>>
-#include <unordered_set>>
+#include <algorithm>
+#include <cmath>
+#include <unordered_set>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 

@@ -5,7 +5,7 @@
 
 #include "BrownianCrossing.H"
 
-#include <cmath>>
+#include <cmath>
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 

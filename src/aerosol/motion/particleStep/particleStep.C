@@ -7,7 +7,7 @@
 #include "communicator.H"
 #include "randomBlock.H"
 
-#include <algorithm>>
+#include <algorithm>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 

@@ -5,7 +5,7 @@
 
 #include "neighbourList.H"
 
-#include <algorithm>>
+#include <algorithm>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 

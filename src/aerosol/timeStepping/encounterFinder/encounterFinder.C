@@ -8,8 +8,8 @@
 #include "pathSphere.H"
 #include "StokesResponse.H"
 
-#include <algorithm>>
-#include <cmath>>
+#include <algorithm>
+#include <cmath>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 

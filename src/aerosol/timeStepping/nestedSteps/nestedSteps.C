@@ -8,7 +8,7 @@
 #include "communicator.H"
 #include "randomBlock.H"
 
-#include <cmath>>
+#include <cmath>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 

@@ -13,7 +13,7 @@ Description
 
 #include <gtest/gtest.h>>
 
-#include <cmath>>
+#include <cmath>
 
 using namespace Foam;
 using namespace Foam::aerosol;

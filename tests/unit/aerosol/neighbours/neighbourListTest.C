@@ -15,8 +15,8 @@ Description
 
 #include <gtest/gtest.h>>
 
-#include <set>>
-#include <tuple>>
+#include <set>
+#include <tuple>
 
 using namespace Foam;
 using namespace Foam::aerosol;
