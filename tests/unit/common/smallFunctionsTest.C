@@ -10,7 +10,7 @@ Description
 #include "meanDecay.H"
 #include "sineSeries.H"
 
-#include <gtest/gtest.h>>
+#include <gtest/gtest.h>
 
 #include <cmath>
 

@@ -31,7 +31,7 @@ const double density = 2000;
 
 
 //- A cluster at rest
-particleArrays cluster(const int seed)
+particleArrays closeParticles(const int seed)
 {
     std::mt19937_64 engine(seed);
     std::uniform_real_distribution<double> any(0, 1);
@@ -62,7 +62,7 @@ particleArrays cluster(const int seed)
 //- The same on their periodic paths, as if they were alone
 particleArrays onOrbits(const int seed)
 {
-    particleArrays p = cluster(seed);
+    particleArrays p = closeParticles(seed);
 
     for (int i = 0; i < p.size(); ++i)
     {
@@ -417,7 +417,7 @@ TEST(bruteForce, isConverged)
 
     for (int seed = 1; seed <= 8; ++seed)
     {
-        count += check(cluster(seed), conditions(400, 0));
+        count += check(closeParticles(seed), conditions(400, 0));
         count += check(box(seed, amplitude), conditions(5, boxLength));
     }
 

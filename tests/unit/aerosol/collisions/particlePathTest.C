@@ -11,7 +11,7 @@ Description
 #include "particlePath.H"
 #include "randomNumbers.H"
 
-#include <gtest/gtest.h>>
+#include <gtest/gtest.h>
 
 #include <cmath>
 

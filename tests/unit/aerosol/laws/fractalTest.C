@@ -39,7 +39,7 @@ autoPtr<aggregate> make(const std::string& text)
 
 
 //- An aggregate of N alike
-sphere cluster
+sphere clusterOf
 (
     const std::int64_t id,
     const double primary,
@@ -197,7 +197,7 @@ TEST(fractal, settlesAndSlowsDownByItsMobility)
     {
         particleArrays p = arrays
         ({
-            cluster(0, primary, N, density, vec::Zero(), vec::UnitX())
+            clusterOf(0, primary, N, density, vec::Zero(), vec::UnitX())
         });
         p.primaries(0) = N;
 
@@ -273,7 +273,7 @@ TEST(fractal, hasTheWakeOfItsMobility)
 
     particleArrays aggregates = arrays
     ({
-        cluster(0, primary, N, density, source, vec(0.1, 0, 0)),
+        clusterOf(0, primary, N, density, source, vec(0.1, 0, 0)),
         {1, 1e-6, density, other, vec::Zero()}
     });
     aggregates.primaries(0) = N;
@@ -349,8 +349,8 @@ TEST_P(fractals, touchAtTheirCollisionRadii)
 
     std::vector<sphere> two
     {
-        cluster(0, primary, N1, 1000, xi, 0.5*speed*n),
-        cluster(1, primary, N2, 2000, xj, -0.5*speed*n)
+        clusterOf(0, primary, N1, 1000, xi, 0.5*speed*n),
+        clusterOf(1, primary, N2, 2000, xj, -0.5*speed*n)
     };
 
     particleArrays p = arrays(two);

@@ -13,7 +13,7 @@ Description
 #include "periodicBox.H"
 #include "randomNumbers.H"
 
-#include <gtest/gtest.h>>
+#include <gtest/gtest.h>
 
 #include <set>
 #include <tuple>

@@ -9,7 +9,7 @@ Description
 
 #include "packedRecord.H"
 
-#include <gtest/gtest.h>>
+#include <gtest/gtest.h>
 
 using namespace Foam;
 using namespace Foam::aerosol;
