@@ -222,7 +222,10 @@ void Foam::restartableTime::restoreValue()
     const fileName file =
         fileHandler().filePath(timePath()/"uniform"/"time");
 
-    if (!file.empty() && written.empty())
+    // The master reads it for all ranks, some of which may have no such file
+    const bool empty = Pstream::master() && !file.empty() && written.empty();
+
+    if (returnReduce(empty, orOp<bool>()))
     {
         refuse(value(), onAllRanks(*this));
     }
