@@ -469,7 +469,10 @@ TEST(eventDriven, findsContactsAtTimesOfSecondOrder)
     {
         const int perPeriod = k ? 100 : 50;
         const comparison c =
-            compare(cluster, 40, conditions(400, 0), eventDriven, perPeriod);
+            compare
+            (
+                closeParticles, 40, conditions(400, 0), eventDriven, perPeriod
+            );
 
         EXPECT_GE(c.sets, 20);
         EXPECT_EQ(c.samePair, c.sets);
