@@ -183,8 +183,9 @@ double Foam::aerosol::particlePath::firstTouch
     double t = 0;
     double distance = gap(t);
 
-    // Out of an overlap that does not count
-    while (onlyNew && distance <= 0 && t <= last)
+    // Out of an overlap that does not count. Its end is none of the contacts
+    // below, which are within rounding of touching.
+    while (onlyNew && distance <= 1e-12*touch && t <= last)
     {
         t += std::max(-distance, 1e-3*touch)/speed;
 
