@@ -59,7 +59,9 @@ void Foam::requireAllRead(const dictionary& dict, const word& key)
         &dict.lookupEntry(key, keyType::REGEX)
     );
 
-    if (read && read->nRemainingTokens())
+    // A single word, as of a Function1 whose coefficients are elsewhere, has
+    // swallowed nothing, and newer versions of OpenFOAM do not read on in it
+    if (read && read->size() > 1 && read->nRemainingTokens())
     {
         OStringStream rest;
         for (label i = read->tokenIndex(); i < read->size(); ++i)

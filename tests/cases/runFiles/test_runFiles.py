@@ -243,7 +243,7 @@ def limited(box, kilobytes):
 
 def test_a_full_disk_is_told_of_particles(box):
     log = limited(short(box), 5)
-    assert re.search(r"Cannot write all of \S*/0/lagrangian/aerosol/\w+: it has"
+    assert re.search(r"Cannot write all of \S*0/lagrangian/aerosol/\w+: it has"
                      r" reached the limit of the size of files", log)
 
 
