@@ -19,7 +19,7 @@ def use(name):
     matplotlib.use("Agg")
     plt.rcParams.update({
         "svg.hashsalt": name,
-        "svg.fonttype": "path",  # the same with any fonts of the reader
+        "svg.fonttype": "none",  # texts, not the outlines of their letters
         "path.simplify": True,
         "font.family": "DejaVu Sans",
         "font.size": 10,
