@@ -8,6 +8,7 @@
 #include "checkedEntry.H"
 #include "eigenVector.H"
 #include "mathematicalConstants.H"
+#include "nearestMultiple.H"
 #include "sineSeries.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -73,11 +74,9 @@ const
 Eigen::ArrayXd
 Foam::acoustics::planeWave::sine(const Eigen::ArrayXd& angles)
 {
-    // Pi as the sum of two numbers; added and subtracted, the third rounds to a
-    // whole number
+    // Pi as the sum of two numbers
     constexpr double pi = 3.141592653589793116;
     constexpr double rest = 1.2246467991473532e-16;
-    constexpr double rounding = 0x1.8p52;
 
     Eigen::ArrayXd result(angles.size());
 
@@ -86,11 +85,11 @@ Foam::acoustics::planeWave::sine(const Eigen::ArrayXd& angles)
 
     for (Eigen::Index i = 0; i < angles.size(); ++i)
     {
-        const double n = (angle[i]*(1/pi) + rounding) - rounding;
+        const double n = nearestMultiple<0>(angle[i]*(1/pi));
         const double y = (angle[i] - n*pi) - n*rest;
 
         // Of an odd number of half periods: -1 or 1
-        const double odd = n - 2*((0.5*n + rounding) - rounding);
+        const double odd = n - 2*nearestMultiple<0>(0.5*n);
         const double sign = 1 - 2*odd*odd;
 
         sine[i] = sign*y*sineSeries(y*y);

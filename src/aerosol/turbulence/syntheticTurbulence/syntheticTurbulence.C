@@ -10,6 +10,7 @@
 #include "checkedEntry.H"
 #include "dimensionSets.H"
 #include "mathematicalConstants.H"
+#include "nearestMultiple.H"
 #include "sineSeries.H"
 #include "Switch.H"
 
@@ -99,10 +100,7 @@ void sineCosine
     blockScalars& cosine
 )
 {
-    // Added and subtracted, this rounds to a whole number
-    constexpr double rounding = 0x1.8p52;
-
-    const blockScalars y = EIGEN_PI*(r - ((r + rounding) - rounding));
+    const blockScalars y = EIGEN_PI*(r - Foam::nearestMultiple<0>(r));
     const blockScalars z = y*y;
 
     const blockScalars s = y*Foam::sineSeries(z);
