@@ -47,7 +47,7 @@ equationOfMotion laws(const std::string& wake, const std::string& drag)
             (
                 "drag { type " + drag + "; slipCorrection Cunningham; }"
                 "gravity { type uniform; value (0 0 -9.81); }"
-                "wake { " + settings(wake) + " }"
+                "wake { " + settings(wake) + " } aggregate { type none; }"
             )()
         ),
         gasProperties::air(),
@@ -138,12 +138,12 @@ void wakes
     const particleArrays p = aerosolOf(n);
     const std::vector<particlePair> pairs = neighbours(p, nNeighbours);
     const equationOfMotion motion = laws(type, "Stokes");
-    const equationOfMotion::sources sources{p.x, p.v, p.d, p.range, p.v};
+    const wakeInteraction::sources sources{p.x, p.v, p.d, p.range, p.v};
     vectors w;
 
     for (auto _ : state)
     {
-        motion.wakes(sources, pairs, n, w);
+        motion.wakes().sum(sources, pairs, n, w);
         benchmark::DoNotOptimize(w.data());
         benchmark::ClobberMemory();
     }
@@ -189,16 +189,16 @@ void move(benchmark::State& state, const std::string& drag, const int n)
 {
     particleArrays p = aerosolOf(n);
     const equationOfMotion motion = laws("Oseen", drag);
-    motion.refresh(p);
+    motion.laws().refresh(p);
 
-    equationOfMotion::gasStep gas;
+    stepValues gas;
     gas.u0 = vectors::Constant(3, n, speed);
     gas.u1 = vectors::Constant(3, n, -speed);
-    equationOfMotion::state end;
+    stepEnd end;
 
     for (auto _ : state)
     {
-        motion.move(1e-5, p, gas, {}, false, end);
+        motion.exact().move(1e-5, p, gas, {}, false, end);
         benchmark::DoNotOptimize(end.x.data());
         benchmark::ClobberMemory();
     }

@@ -62,7 +62,7 @@ Foam::aerosol::aerosolCloud::aerosolCloud
         domain_->period(),
         {sound.frequency(), sound.expectedAmplitude()}
     ),
-    collisions_(dict_),
+    collisions_(dict_, motion_.laws().aggregateModel()),
     setupCheck_(dict_, mesh.time(), *domain_, sound_, motion_, collisions_),
     fragmentation_(optionalDict(dict_, "breakage")),
     timeStepping_
@@ -452,7 +452,7 @@ void Foam::aerosol::aerosolCloud::prepareFrame(const dictionary& state)
     // The same after a restart, though a replay may know it better then
     amplitude_ =
         state.getOrDefault<scalar>("amplitude", sound_.amplitude(now));
-    motion_.setAmplitude(amplitude_);
+    motion_.laws().setAmplitude(amplitude_);
 
     if (state.found("lastPeriod"))
     {
@@ -561,16 +561,16 @@ Foam::aerosol::aerosolCloud::inChamber() const
 
 void Foam::aerosol::aerosolCloud::applyLaws(const dictionary& state)
 {
-    if (motion_.wakeModel().needsTolerance())
+    if (motion_.laws().wakeModel().needsTolerance())
     {
         // Aggregates of a restart would give another one
         if (state.found("wakeTolerance"))
         {
-            motion_.setTolerance(state.get<scalar>("wakeTolerance"));
+            motion_.laws().setTolerance(state.get<scalar>("wakeTolerance"));
         }
         else
         {
-            motion_.chooseTolerance(particles_);
+            motion_.laws().chooseTolerance(particles_);
         }
     }
 
@@ -578,16 +578,19 @@ void Foam::aerosol::aerosolCloud::applyLaws(const dictionary& state)
     step_ = state.getOrDefault<label>("step", mesh_.time().timeIndex());
 
     // If it is not known, a domain that moves is taken to move with it
-    motion_.setMeanFlow(sound_.meanFlow().value_or(Eigen::Vector3d::Zero()));
+    motion_.laws().setMeanFlow
+    (
+        sound_.meanFlow().value_or(Eigen::Vector3d::Zero())
+    );
     setupCheck_.requireTolerance();
     takeHistory(state);
-    motion_.refresh(particles_);
+    motion_.laws().refresh(particles_);
 }
 
 
 void Foam::aerosol::aerosolCloud::takeHistory(const dictionary& state)
 {
-    const scalars& times = motion_.unsteady().times();
+    const scalars& times = motion_.laws().unsteadyModel().times();
 
     const List<scalar> before
     (
@@ -734,14 +737,14 @@ Foam::dictionary Foam::aerosol::aerosolCloud::state() const
         dict.add("coupled", Switch(true));
     }
 
-    if (motion_.wakeModel().needsTolerance())
+    if (motion_.laws().wakeModel().needsTolerance())
     {
-        dict.add("wakeTolerance", motion_.wakeModel().tolerance());
+        dict.add("wakeTolerance", motion_.laws().wakeModel().tolerance());
     }
 
-    if (motion_.isUnsteady())
+    if (motion_.unsteady().active())
     {
-        const scalars& times = motion_.unsteady().times();
+        const scalars& times = motion_.laws().unsteadyModel().times();
 
         List<scalar> list(times.size());
         std::copy(times.data(), times.data() + times.size(), list.begin());

@@ -54,7 +54,7 @@ void Foam::aerosol::setupCheck::checkSound
 
     // Those that are carried along best and least move relative to each other
     const scalar omega = constant::mathematical::twoPi*sound_.frequency();
-    const scalars tau = motion_.relaxationTime(particles);
+    const scalars tau = particleLaws::relaxationTime(particles);
     const scalar s1 = min(omega*tau.minCoeff(), 1e8);
     const scalar s2 = min(omega*tau.maxCoeff(), 1e8);
     const scalar u12 =
@@ -80,7 +80,7 @@ void Foam::aerosol::setupCheck::checkSound
 
     if
     (
-        (collisions_.active() || motion_.hasWakes())
+        (collisions_.active() || motion_.wakes().active())
      && (shortest < displacement || shortest < 4*layer)
     )
     {
@@ -136,7 +136,7 @@ void Foam::aerosol::setupCheck::checkBrownian
 {
     // Their noise of the step is known, and a bounce would have to reflect what
     // is left of it for both
-    if (motion_.hasBrownian() && collisions_.bounces())
+    if (motion_.noise().active() && collisions_.bounces())
     {
         FatalIOErrorInFunction(dict_.subDict("contact"))
             << "Particles that bounce cannot have Brownian motion: set"
@@ -144,7 +144,7 @@ void Foam::aerosol::setupCheck::checkBrownian
             << exit(FatalIOError);
     }
 
-    if (!motion_.hasBrownian() || !particles.size())
+    if (!motion_.noise().active() || !particles.size())
     {
         return;
     }
@@ -152,7 +152,7 @@ void Foam::aerosol::setupCheck::checkBrownian
     // Of two alike, relative to one another
     const scalars displacements =
         Foam::sqrt(2.0)
-       *motion_.reach(time_.deltaTValue(), particles).x;
+       *motion_.noise().reach(time_.deltaTValue(), particles).x;
 
     Eigen::Index i;
     const scalar most =
@@ -179,12 +179,12 @@ void Foam::aerosol::setupCheck::reportWakes
     const particleArrays& particles
 ) const
 {
-    if (!motion_.hasWakes() || !particles.size())
+    if (!motion_.wakes().active() || !particles.size())
     {
         return;
     }
 
-    const wake& model = motion_.wakeModel();
+    const wake& model = motion_.laws().wakeModel();
     const int n = particles.size();
 
     scalars range = particles.range;
@@ -224,7 +224,10 @@ void Foam::aerosol::setupCheck::reportWakes
     )
     {
         os  << ",\n    where that of the largest particle is up to "
-            << motion_.fadingSpeed(particles, static_cast<int>(largest))
+            << motion_.wakes().fadingSpeed
+               (
+                   particles, static_cast<int>(largest)
+               )
             << " m/s";
     }
 
@@ -236,7 +239,7 @@ void Foam::aerosol::setupCheck::reportWakes
 
 void Foam::aerosol::setupCheck::requireTolerance() const
 {
-    const wake& model = motion_.wakeModel();
+    const wake& model = motion_.laws().wakeModel();
     const dictionary& dict = dict_.subDict("wake");
 
     const char* const remedy =
@@ -311,7 +314,7 @@ void Foam::aerosol::setupCheck::requireRanges
     (
         "range of the wakes",
         particles.range.maxCoeff(),
-        motion_.wakeModel().tolerance() > 0
+        motion_.laws().wakeModel().tolerance() > 0
       ? ", by a larger 'tolerance' or by a fixed 'range' in the dictionary"
         " 'wake'"
       : ", by 'range' in the dictionary 'wake'"

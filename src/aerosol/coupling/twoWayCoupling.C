@@ -8,6 +8,7 @@
 #include "checkedDictionary.H"
 #include "domain.H"
 #include "fvMesh.H"
+#include "meanDecay.H"
 
 #include <unordered_map>
 
@@ -174,7 +175,7 @@ void Foam::aerosol::twoWayCoupling::announce
 )
 {
     // The drift is what counts
-    if (motion.hasBrownian() && !p.thermal.isZero(0))
+    if (motion.noise().active() && !p.thermal.isZero(0))
     {
         particleArrays smooth(p);
         smooth.v = drift(p);
@@ -184,12 +185,12 @@ void Foam::aerosol::twoWayCoupling::announce
         return;
     }
 
-    equationOfMotion::gasStep gas;
+    stepValues gas;
     gas.u0 = u;
     gas.u1 = u;
 
-    equationOfMotion::state end;
-    motion.move(h, p, gas, equationOfMotion::gasStep(), false, end);
+    stepEnd end;
+    motion.exact().move(h, p, gas, {}, false, end);
 
     Eigen::MatrixXd amounts(4, p.size());
 
@@ -199,7 +200,7 @@ void Foam::aerosol::twoWayCoupling::announce
     {
         const double z = std::max(p.rate(i)*h, 1e-9);
 
-        amounts(3, i) = p.m(i)*(1 + std::expm1(-z)/z);
+        amounts(3, i) = p.m(i)*(1 - meanDecay(z));
     }
 
     reaction_.announce(inCells(p.x, amounts));

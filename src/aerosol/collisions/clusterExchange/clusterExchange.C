@@ -194,7 +194,7 @@ void Foam::aerosol::clusterExchange::unpack
         one.wakes.um.resize(3, 0);
     }
 
-    if (!motion_.hasBrownian())
+    if (!motion_.noise().active())
     {
         one.increment.v.resize(3, 0);
         one.increment.x.resize(3, 0);
@@ -426,7 +426,7 @@ std::vector<char> Foam::aerosol::clusterExchange::scatter
 (
     const std::vector<cluster>& clusters,
     particleArrays& p,
-    equationOfMotion::state& end
+    stepEnd& end
 )
 {
     messages send(communicator::nRanks());

@@ -59,7 +59,7 @@ struct Foam::aerosol::BrownianClusterSolver::part
     stepValues outside;
 
     //- The end of the part
-    equationOfMotion::state end;
+    stepEnd end;
 
     //- When the paths of the members begin within the part: 0, or the time of
     //  the merger [s]
@@ -94,7 +94,7 @@ void Foam::aerosol::BrownianClusterSolver::moveOn
     const equationOfMotion& motion = motion_;
     const scalar h = step.h;
     particleArrays& p = all.one.p;
-    equationOfMotion::state& end = all.end;
+    stepEnd& end = all.end;
 
     const scalar left = h - when;
     const particleArrays single = p.select({i});
@@ -122,8 +122,8 @@ void Foam::aerosol::BrownianClusterSolver::moveOn
         }
     }
 
-    equationOfMotion::state there;
-    motion.increment
+    stepEnd there;
+    motion.noise().increment
     (
         left,
         single,
@@ -132,13 +132,13 @@ void Foam::aerosol::BrownianClusterSolver::moveOn
         there.increment
     );
 
-    stepValues w;
-
-    if (motion.hasWakes())
+    if (motion.wakes().active())
     {
+        // The neighbours, at both ends
         std::vector<particlePair> acting;
-        vectors x = p.x;
-        vectors v = motion.drift(p.v, p.thermal);
+        vectors x0 = p.x;
+        vectors v0 = motion.noise().drift(p.v, p.thermal);
+        const vectors v1 = motion.noise().drift(end.v, end.thermal);
 
         for (const particlePair& pair : all.wakePairs)
         {
@@ -150,9 +150,9 @@ void Foam::aerosol::BrownianClusterSolver::moveOn
                 const scalar s = length > 0 ? since/length : 1;
 
                 acting.push_back(pair);
-                x.col(j) = stepPaths::own(p, end, j, length).position(since);
-                v.col(j) =
-                    (1 - s)*v.col(j) + s*(end.v.col(j) - end.thermal.col(j));
+                x0.col(j) = stepPaths::own(p, end, j, length).position(since);
+                v0.col(j) =
+                    (1 - s)*v0.col(j) + s*(end.v.col(j) - end.thermal.col(j));
             }
         }
 
@@ -160,47 +160,45 @@ void Foam::aerosol::BrownianClusterSolver::moveOn
         [&]
         (
             const scalar s,
-            const vectors& places,
-            const vectors& drifts,
+            const vectors& x,
+            const vectors& v,
+            const vectors&,
             vectors& result
         )
         {
+            const scalar ofPart = s > 0 ? 1 : when/h;
+            vectors places = s > 0 ? end.x : x0;
+            vectors drifts = s > 0 ? v1 : v0;
+            places.col(i) = x.col(0);
+            drifts.col(i) = v.col(0);
+
             vectors found;
-            motion.wakes
+            motion.wakes().sum
             (
-                p, acting, places, drifts, all.gas.at(s), found,
-                motion.imaginarySlip(p.rate, all.gas, s, h)
+                p, acting, places, drifts, all.gas.at(ofPart), found,
+                motion.wakes().imaginarySlip(p.rate, all.gas, ofPart, h)
             );
             result = found.col(i);
 
             if (all.outside.u0.cols())
             {
-                result += all.outside.at(s).col(i);
+                result += all.outside.at(ofPart).col(i);
             }
         };
 
-        wakesAt(when/h, x, v, w.u0);
-        motion.move(left, single, gas, w, false, there);
-        motion.cool(left, single, there);
-
-        x = end.x;
-        v = motion.drift(end.v, end.thermal);
-        x.col(i) = there.x.col(0);
-        v.col(i) = there.v.col(0) - there.thermal.col(0);
-
-        wakesAt(1, x, v, w.u1);
+        stepValues w;
+        motion.noise().cool(left, single, there);
+        motion.inWakes().move
+        (
+            left, single, gas, wakesAt, wakeStep::linear, w, there
+        );
     }
     else
     {
-        motion.move(left, single, gas, w, false, there);
+        motion.exact().moveAlone(left, single, gas, there);
     }
 
-    if (motion.hasWakes() || !motion.linear())
-    {
-        motion.move(left, single, gas, w, true, there);
-    }
-
-    motion.split(left, single, there);
+    motion.noise().split(left, single, there);
 
     end.x.col(i) = there.x.col(0);
     end.v.col(i) = there.v.col(0);
@@ -208,7 +206,7 @@ void Foam::aerosol::BrownianClusterSolver::moveOn
     end.path0.col(i) = there.path0.col(0);
     end.path1.col(i) = there.path1.col(0);
 
-    all.stray(i) = motion.reach(left, single).stray(0)/left;
+    all.stray(i) = motion.noise().reach(left, single).stray(0)/left;
     ++counters_.clusterMoves;
 }
 
@@ -224,11 +222,11 @@ void Foam::aerosol::BrownianClusterSolver::collide
     const scalar h = step.h;
     cluster& one = all.one;
     particleArrays& p = one.p;
-    equationOfMotion::state& end = all.end;
+    stepEnd& end = all.end;
 
     all.begin.assign(p.size(), 0);
     all.age.assign(p.size(), 0);
-    all.stray = motion_.reach(h, p).stray/h;
+    all.stray = motion_.noise().reach(h, p).stray/h;
 
     const auto pathFrom = [&](const int i, const scalar first)
     {
@@ -307,8 +305,8 @@ void Foam::aerosol::BrownianClusterSolver::collide
             (
                 BrownianCrossing
                 (
-                    motion_.noise(), p.id(i), p.id(j), gap0, gap1, variance,
-                    step.index,
+                    motion_.laws().BrownianModel(), p.id(i), p.id(j),
+                    gap0, gap1, variance, step.index,
                     randomBlock
                     (
                         noise::whole, step.part, s + manyParts*ageOf(pair)
@@ -379,10 +377,10 @@ void Foam::aerosol::BrownianClusterSolver::collide
         }
 
         p.thermal.col(survivor) = thermal;
-        motion_.refresh(p, survivor);
+        motion_.laws().refresh(p, survivor);
 
         replaceAbsorbed(one.contactPairs, found.pair, survivor);
-        if (motion_.hasWakes())
+        if (motion_.wakes().active())
         {
             all.wakePairs = bothWays(one.contactPairs);
         }
@@ -431,7 +429,7 @@ void Foam::aerosol::BrownianClusterSolver::solve
 
     if (n > 1)
     {
-        motion_.bridge
+        motion_.noise().bridge
         (
             h, p, step.index, randomBlock(noise::parts, step.part), n,
             one.increment, increments
@@ -450,7 +448,7 @@ void Foam::aerosol::BrownianClusterSolver::solve
             if (all.grown[i])
             {
                 Brownian::increments own;
-                motion_.increment
+                motion_.noise().increment
                 (
                     length, p.select({i}), step.index,
                     randomBlock(noise::grown, step.part, s), own
@@ -461,10 +459,10 @@ void Foam::aerosol::BrownianClusterSolver::solve
             }
         }
 
-        motion_.step
+        motion_.inWakes().moveTogether
         (
             length, p, all.wakePairs, all.gas, all.outside,
-            neighbourWakes::nIterations, all.end
+            wakeStep::nIterations, all.end
         );
         counters_.clusterMoves += p.size();
 
@@ -476,7 +474,7 @@ void Foam::aerosol::BrownianClusterSolver::solve
             s
         );
 
-        motion_.arrive(p, all.end);
+        all.end.accept(p);
     }
 
     one.absorbed = collisions_.takeAbsorbed(p.size());

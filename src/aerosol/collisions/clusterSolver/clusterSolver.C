@@ -34,7 +34,7 @@ Foam::aerosol::clusterSolver::clusterSolver
 std::pair<Foam::scalar, int> Foam::aerosol::clusterSolver::firstContact
 (
     const cluster& one,
-    const equationOfMotion::state& end,
+    const stepEnd& end,
     const scalar h,
     const int nCollision,
     const std::vector<char>& leftOut
@@ -100,7 +100,7 @@ Foam::aerosol::stepValues Foam::aerosol::clusterSolver::outsideWakes
 {
     stepValues outside;
 
-    if (!motion_.hasWakes())
+    if (!motion_.wakes().active())
     {
         return outside;
     }
@@ -116,12 +116,12 @@ Foam::aerosol::stepValues Foam::aerosol::clusterSolver::outsideWakes
     )
     {
         vectors inside;
-        motion_.wakes
+        motion_.wakes().sum
         (
             {
                 x, slip, one.p.mobilityDiameter, one.p.range,
-                motion_.settling(one.p),
-                motion_.imaginarySlip(one.p.rate, one.gas, s, h)
+                motion_.wakes().settling(one.p),
+                motion_.wakes().imaginarySlip(one.p.rate, one.gas, s, h)
             },
             wakePairs,
             one.p.size(),
@@ -290,7 +290,7 @@ Foam::aerosol::clusterSolver::New
     stepCounters& counters
 )
 {
-    if (motion.hasBrownian())
+    if (motion.noise().active())
     {
         return std::make_unique<BrownianClusterSolver>
         (
@@ -320,21 +320,21 @@ void Foam::aerosol::clusterSolver::solve
     std::vector<particlePair> wakePairs = bothWays(one.contactPairs);
     const stepValues outside = outsideWakes(one, wakePairs, h);
 
-    equationOfMotion::state end;
+    stepEnd end;
     std::vector<char> leftOut(one.contactPairs.size(), 0);
     scalar now = 0;
     std::uint64_t nContacts = 0;
 
-    const auto moveOver = [&](const scalar length, equationOfMotion::state& to)
+    const auto moveOver = [&](const scalar length, stepEnd& to)
     {
-        motion_.step
+        motion_.inWakes().moveTogether
         (
             length,
             p,
             wakePairs,
             one.gas.part(now/h, (now + length)/h),
             outside.part(now/h, (now + length)/h),
-            neighbourWakes::nIterations,
+            wakeStep::nIterations,
             to
         );
         counters_.clusterMoves += p.size();
@@ -440,7 +440,7 @@ void Foam::aerosol::clusterSolver::solve
         p.v.col(survivor) = vs;
         now += when;
 
-        motion_.refresh(p, survivor);
+        motion_.laws().refresh(p, survivor);
 
         replaceAbsorbed(one.contactPairs, pair, survivor);
         wakePairs = bothWays(one.contactPairs);

@@ -15,10 +15,14 @@
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::aerosol::collisions::collisions(const dictionary& dict)
+Foam::aerosol::collisions::collisions
+(
+    const dictionary& dict,
+    const aggregate& merging
+)
 :
     outcome_(contactOutcome::New(dict.subDict("contact"))),
-    aggregate_(aggregate::New(dict.subDict("aggregate"))),
+    aggregate_(merging),
     breakage_(nullptr),
     before_(0),
     count_(0),
@@ -26,7 +30,7 @@ Foam::aerosol::collisions::collisions(const dictionary& dict)
     keepsRecords_(false)
 {
     // A pair that should stick, but does not merge, would stay in contact
-    if (outcome_->bounces() && !aggregate_->merges())
+    if (outcome_->bounces() && !aggregate_.merges())
     {
         FatalIOErrorInFunction(dict.subDict("contact"))
             << "The contact outcome '" << outcome_->type()
@@ -138,7 +142,7 @@ int Foam::aerosol::collisions::meet
 {
     ++count_;
 
-    const bool merges = aggregate_->merges() && outcome_->sticks(p, pair);
+    const bool merges = aggregate_.merges() && outcome_->sticks(p, pair);
 
     if (!merges && outcome_->bounces())
     {
@@ -188,7 +192,7 @@ int Foam::aerosol::collisions::meet
 
     keep(p, pair, true);
     p.mergeHistory(pair.i, pair.j);
-    aggregate_->merge(p, pair);
+    aggregate_.merge(p, pair);
 
     absorbed_.resize(p.size(), 0);
     absorbed_[pair.j] = 1;

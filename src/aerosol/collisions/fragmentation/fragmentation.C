@@ -243,7 +243,7 @@ bool Foam::aerosol::fragmentation::apply
         }
 
         particleArrays two = pieces(p, i);
-        motion.refresh(two);
+        motion.laws().refresh(two);
 
         breakage::parting parting;
         if (!model_->breaks(p, i, two, where, sound.gas(), parting))

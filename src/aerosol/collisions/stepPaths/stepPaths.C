@@ -11,13 +11,13 @@ void Foam::aerosol::stepPaths::fill
 (
     const ghosts& layer,
     const particleArrays& p,
-    const equationOfMotion::state& end,
+    const stepEnd& end,
     const scalar h
 )
 {
     n_ = layer.n();
 
-    const bool Brownian = motion_.hasBrownian();
+    const bool Brownian = motion_.noise().active();
 
     std::vector<ghosts::quantity> quantities
     {
@@ -30,7 +30,7 @@ void Foam::aerosol::stepPaths::fill
 
     if (Brownian)
     {
-        stray = motion_.reach(h, p).stray;
+        stray = motion_.noise().reach(h, p).stray;
         quantities.push_back({stray, ghostStray, layer});
     }
 
@@ -41,7 +41,7 @@ void Foam::aerosol::stepPaths::fill
 Foam::aerosol::particlePath Foam::aerosol::stepPaths::of
 (
     const particleArrays& p,
-    const equationOfMotion::state& end,
+    const stepEnd& end,
     const int i,
     const scalar h
 ) const

@@ -71,7 +71,7 @@ Foam::aerosol::stepValues Foam::aerosol::gasSampler::atAll
     const fluidStep& step
 ) const
 {
-    return at(p.x, motion_.drift(p.v, p.thermal), p.response, step);
+    return at(p.x, motion_.noise().drift(p.v, p.thermal), p.response, step);
 }
 
 
@@ -89,7 +89,7 @@ Foam::aerosol::stepGas Foam::aerosol::gasSampler::whenAsked
             return at
             (
                 p.x.middleCols(first, size),
-                motion_.drift
+                motion_.noise().drift
                 (
                     p.v.middleCols(first, size),
                     p.thermal.middleCols(first, size)
@@ -103,7 +103,7 @@ Foam::aerosol::stepGas Foam::aerosol::gasSampler::whenAsked
             return at
             (
                 p.x(Eigen::all, some),
-                motion_.drift
+                motion_.noise().drift
                 (
                     p.v(Eigen::all, some), p.thermal(Eigen::all, some)
                 ),

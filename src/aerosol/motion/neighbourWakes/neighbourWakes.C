@@ -48,7 +48,7 @@ void Foam::aerosol::neighbourWakes::at
     };
 
     // Also on ranks without wakes: all ranks exchange the same quantities
-    if (motion_.wakeModel().omega() > 0)
+    if (motion_.wakes().asksForPhase())
     {
         sources_.imaginary.resize(3, sources_.x.cols());
         sources_.imaginary.leftCols(x.cols()) = imaginary;
@@ -57,7 +57,7 @@ void Foam::aerosol::neighbourWakes::at
 
     layer.fill(quantities);
 
-    motion_.wakes(sources_, list_.pairs(), x.cols(), w);
+    motion_.wakes().sum(sources_, list_.pairs(), x.cols(), w);
 }
 
 
@@ -74,7 +74,7 @@ void Foam::aerosol::neighbourWakes::search
 {
     list_.pairs().clear();
 
-    if (motion_.hasWakes())
+    if (motion_.wakes().active())
     {
         list_.findActing(grid, p.id.cast<double>(), x, reach, skin);
     }
@@ -85,7 +85,7 @@ void Foam::aerosol::neighbourWakes::involve(const particleArrays& p)
 {
     involved_.clear();
 
-    if (!motion_.hasWakes())
+    if (!motion_.wakes().active())
     {
         return;
     }
@@ -156,9 +156,9 @@ void Foam::aerosol::neighbourWakes::involve(const particleArrays& p)
         {sources_.d, layer}, {sources_.range, layer}
     };
 
-    if (motion_.wakeModel().omega() > 0)
+    if (motion_.wakes().asksForPhase())
     {
-        const vectors all = motion_.settling(p);
+        const vectors all = motion_.wakes().settling(p);
         sources_.steady.resize(3, layer.size());
         sources_.steady.leftCols(nInvolved) = all(Eigen::all, involved_);
         quantities.push_back({sources_.steady, layer, false});
@@ -181,12 +181,12 @@ Foam::aerosol::vectors Foam::aerosol::neighbourWakes::now
     at
     (
         p.x(Eigen::all, involved_),
-        motion_.drift
+        motion_.noise().drift
         (
             p.v(Eigen::all, involved_), p.thermal(Eigen::all, involved_)
         ),
         air.u0,
-        motion_.imaginarySlip(p.rate(involved_), air, 0, h),
+        motion_.wakes().imaginarySlip(p.rate(involved_), air, 0, h),
         kept, slip, found
     );
 
@@ -203,12 +203,12 @@ void Foam::aerosol::neighbourWakes::move
     const particleArrays& p,
     const stepGas& gas,
     const bool withMiddle,
-    equationOfMotion::state& end
+    stepEnd& end
 )
 {
-    if (!motion_.hasWakes())
+    if (!motion_.wakes().active())
     {
-        motion_.split(h, p, end);
+        motion_.noise().split(h, p, end);
         return;
     }
 
@@ -225,11 +225,11 @@ void Foam::aerosol::neighbourWakes::move
     const particleArrays q = p.select(involved_);
     const stepValues air = gas.some(involved_);
 
-    equationOfMotion::state there;
+    stepEnd there;
     there.increment = {select(end.increment.v), select(end.increment.x)};
 
     // The thermal velocity at the end is that of drag and noise alone
-    motion_.cool(h, q, there);
+    motion_.noise().cool(h, q, there);
 
     const auto wakesOf =
     [&]
@@ -248,34 +248,20 @@ void Foam::aerosol::neighbourWakes::move
 
         at
         (
-            x, v, u, motion_.imaginarySlip(q.rate, air, s, h),
+            x, v, u, motion_.wakes().imaginarySlip(q.rate, air, s, h),
             part(x_), part(slip_), result
         );
     };
 
-    if (withMiddle)
-    {
-        motion_.moveInWakes(h, q, air, wakesOf, nIterations, values_, there);
-    }
-    else
-    {
-        values_.um.resize(3, 0);
-        values_.u1.resize(3, 0);
-        x_.um.resize(3, 0);
-        slip_.um.resize(3, 0);
+    x_.um.resize(3, 0);
+    slip_.um.resize(3, 0);
 
-        wakesOf(0, q.x, motion_.drift(q.v, q.thermal), air.u0, values_.u0);
-        motion_.move(h, q, air, values_, false, there);
-        wakesOf
-        (
-            1,
-            there.x,
-            motion_.drift(there.v, there.thermal),
-            air.u1,
-            values_.u1
-        );
-        motion_.move(h, q, air, values_, true, there);
-    }
+    motion_.inWakes().move
+    (
+        h, q, air, wakesOf,
+        withMiddle ? wakeStep::nIterations : wakeStep::linear,
+        values_, there
+    );
 
     for (std::size_t k = 0; k < involved_.size(); ++k)
     {
@@ -283,7 +269,7 @@ void Foam::aerosol::neighbourWakes::move
         end.v.col(involved_[k]) = there.v.col(k);
     }
 
-    motion_.split(h, p, end);
+    motion_.noise().split(h, p, end);
 }
 
 

@@ -62,20 +62,20 @@ bool Foam::aerosol::particleStep::begin
 
     if (!p.refreshed())
     {
-        motion_.refresh(p);
+        motion_.laws().refresh(p);
     }
 
-    if (motion_.isUnsteady())
+    if (motion_.unsteady().active())
     {
         const stepGas gas = sampler.whenAsked(p, step, true);
-        equationOfMotion::state end;
+        stepEnd end;
 
         inRuns
         (
             p,
             [&](const int first, const int size)
             {
-                motion_.accelerate
+                motion_.unsteady().find
                 (
                     step.h, gas.run(first, size), first, p, end
                 );
@@ -92,7 +92,7 @@ void Foam::aerosol::particleStep::moveWithoutWakes
     const fluidStep& step,
     const particleArrays& p,
     const stepGas& gas,
-    equationOfMotion::state& end
+    stepEnd& end
 )
 {
     const scalar h = step.h;
@@ -100,7 +100,7 @@ void Foam::aerosol::particleStep::moveWithoutWakes
     ++counters_.particleSteps;
     counters_.particleMoves += p.size();
 
-    motion_.increment
+    motion_.noise().increment
     (
         h, p, step.index, randomBlock(noise::whole, step.part), end.increment
     );
@@ -114,14 +114,10 @@ void Foam::aerosol::particleStep::moveWithoutWakes
         p,
         [&](const int first, const int size)
         {
-            const stepValues air = gas.run(first, size);
-
-            motion_.move(h, p, air, {}, false, end, first);
-
-            if (!motion_.linear())
-            {
-                motion_.move(h, p, air, {}, true, end, first);
-            }
+            motion_.exact().moveAlone
+            (
+                h, p, gas.run(first, size), end, first
+            );
         }
     );
 

@@ -48,11 +48,11 @@ Foam::scalar Foam::aerosol::relativeMotion::largestSpeed
 {
     scalars speed = relativeSpeed(p, gas);
 
-    if (motion_.hasBrownian())
+    if (motion_.noise().active())
     {
         speed +=
             p.thermal.colwise().norm().transpose().array()
-          + nDeviations*motion_.reach(h, p).v;
+          + nDeviations*motion_.noise().reach(h, p).v;
     }
 
     return 2*communicator::max(speed.size() ? speed.maxCoeff() : 0.0);
@@ -66,14 +66,15 @@ Foam::aerosol::scalars Foam::aerosol::relativeMotion::relativeDisplacement
     const scalar h
 ) const
 {
-    scalars displacement = h*(relativeSpeed(p, gas) + motion_.gain(p, h));
+    scalars displacement =
+        h*(relativeSpeed(p, gas) + particleLaws::gain(p, h));
 
-    if (motion_.hasBrownian())
+    if (motion_.noise().active())
     {
         displacement +=
             p.thermal.colwise().norm().transpose().array()
-           *motion_.relaxationTime(p).min(h)
-          + nDeviations*motion_.reach(h, p).x;
+           *particleLaws::relaxationTime(p).min(h)
+          + nDeviations*motion_.noise().reach(h, p).x;
     }
 
     // Without another particle there is no limit

@@ -121,7 +121,7 @@ Foam::aerosol::scalars Foam::aerosol::encounterFinder::wakesNow
     vectors& w
 )
 {
-    if (!motion_.hasWakes())
+    if (!motion_.wakes().active())
     {
         return {};
     }
@@ -199,14 +199,16 @@ void Foam::aerosol::encounterFinder::list
 )
 {
     const scalar h = step.h;
-    const bool Brownian = motion_.hasBrownian();
+    const bool Brownian = motion_.noise().active();
 
     // Two alike may merge
-    scalars least = motion_.growth()*(1 + margin)*0.5*p.collisionDiameter;
+    scalars least =
+        motion_.laws().aggregateModel().growth()*(1 + margin)
+       *0.5*p.collisionDiameter;
 
     if (Brownian)
     {
-        const Brownian::extent reach = motion_.reach(h, p);
+        const Brownian::extent reach = motion_.noise().reach(h, p);
 
         least =
             least.max(0.5*p.collisionDiameter + strays*reach.stray.sqrt())
@@ -218,7 +220,7 @@ void Foam::aerosol::encounterFinder::list
     vectors w;
     const scalars wakeSpeed = wakesNow(p, gas, h, w);
 
-    equationOfMotion::state end;
+    stepEnd end;
     particleStep::inRuns
     (
         p,
@@ -230,7 +232,7 @@ void Foam::aerosol::encounterFinder::list
                 wakes.u0 = w.middleCols(first, size);
             }
 
-            motion_.move
+            motion_.exact().move
             (
                 h, p, gas.run(first, size), wakes, false, end, first
             );
@@ -262,7 +264,7 @@ void Foam::aerosol::encounterFinder::list
     {
         wakeCandidates_.pairs().clear();
 
-        if (motion_.hasWakes())
+        if (motion_.wakes().active())
         {
             wakeCandidates_.findActing
             (
@@ -282,11 +284,11 @@ void Foam::aerosol::encounterFinder::list
 void Foam::aerosol::encounterFinder::findWakes
 (
     const particleArrays& p,
-    const equationOfMotion::state& end,
+    const stepEnd& end,
     const Eigen::Vector3d& meanDisplacement
 )
 {
-    if (!motion_.hasWakes())
+    if (!motion_.wakes().active())
     {
         return;
     }
@@ -355,19 +357,19 @@ void Foam::aerosol::encounterFinder::findWakes
 Foam::aerosol::encounters Foam::aerosol::encounterFinder::find
 (
     const particleArrays& p,
-    const equationOfMotion::state& end,
+    const stepEnd& end,
     const Eigen::Vector3d& meanDisplacement,
     const scalar h
 )
 {
     const int n = p.size();
-    const bool Brownian = motion_.hasBrownian();
+    const bool Brownian = motion_.noise().active();
 
     const vectors& start = stepPaths::begin(p, end);
     const vectors& final = stepPaths::finish(end);
 
     const scalars stray =
-        Brownian ? motion_.reach(h, p).stray : scalars();
+        Brownian ? motion_.noise().reach(h, p).stray : scalars();
 
     // In the frame of the common motion
     const Eigen::Vector3d mean = meanDisplacement/h;
@@ -544,7 +546,7 @@ void Foam::aerosol::encounterFinder::update
 )
 {
     const int n = p.size();
-    const bool withWakes = motion_.hasWakes();
+    const bool withWakes = motion_.wakes().active();
 
     for (const int i : returned)
     {

@@ -68,7 +68,7 @@ void Foam::aerosol::eventDriven::advance
     const bool contacts = with_.collisions.active();
     const stepGas gas = sampler_.whenAsked(p, step, true);
 
-    equationOfMotion::state end;
+    stepEnd end;
     std::vector<char> absorbed;
 
     mover_.moveWithoutWakes(step, p, gas, end);
@@ -79,7 +79,7 @@ void Foam::aerosol::eventDriven::advance
     wakes_.move(step.h, p, gas, true, end);
 
     // Also without contacts: the lists of wakes depend on the skins
-    if (contacts || with_.motion.hasWakes())
+    if (contacts || with_.motion.wakes().active())
     {
         const encounters found = finder_.find(p, end, mean, step.h);
 
@@ -89,7 +89,7 @@ void Foam::aerosol::eventDriven::advance
         }
     }
 
-    with_.motion.arrive(p, end);
+    end.accept(p);
 
     if (contacts)
     {

@@ -53,7 +53,7 @@ void Foam::aerosol::multipleTimeStep::advance
     const scalar h = step.h;
     stepValues gas = sampler_.atAll(p, step);
     const scalar uc = relative_.largestSpeed(p, gas, h);
-    const scalar tau = smallest(with_.motion.relaxationTime(p));
+    const scalar tau = smallest(particleLaws::relaxationTime(p));
 
     const int nParticle = std::max(1, int(std::ceil(h/(kp_*tau))));
     const int nCollision =

@@ -46,7 +46,7 @@ void Foam::aerosol::nestedSteps::search
     // that no faster than twice the relative speed. A sphere that has just
     // grown by a merger may touch one that is not listed: it is found in the
     // next step.
-    const scalar drawn = with_.motion.hasWakes() ? 2*furthest : 0;
+    const scalar drawn = with_.motion.wakes().active() ? 2*furthest : 0;
 
     contacts_.pairs().clear();
 
@@ -69,7 +69,7 @@ bool Foam::aerosol::nestedSteps::meet
 (
     particleArrays& p,
     const stepGas& gas,
-    equationOfMotion::state& end,
+    stepEnd& end,
     const fluidStep& step,
     const int nCollision,
     std::vector<char>& absorbed
@@ -125,10 +125,10 @@ bool Foam::aerosol::nestedSteps::meet
             )
          <= h
          || (
-                with_.motion.hasBrownian()
+                with_.motion.noise().active()
              && BrownianCrossing
                 (
-                    with_.motion.noise(), p.id(i), idJ,
+                    with_.motion.laws().BrownianModel(), p.id(i), idJ,
                     (b.position(0) - a.position(0)).norm() - touch,
                     (b.position(h) - a.position(h)).norm() - touch,
                     variance,
@@ -178,7 +178,7 @@ void Foam::aerosol::nestedSteps::move
     stepValues now;
     now.u0 = gas.u0;
 
-    equationOfMotion::state end;
+    stepEnd end;
     bool listed = false;
 
     for (int s = 0; s < nParticle; ++s)
@@ -203,7 +203,7 @@ void Foam::aerosol::nestedSteps::move
         std::vector<char> absorbed;
         const bool met = meet(p, air, end, part, nCollision, absorbed);
 
-        with_.motion.arrive(p, end);
+        end.accept(p);
         now.u0.swap(now.u1);
 
         // Merged and bounced particles are not where they were listed

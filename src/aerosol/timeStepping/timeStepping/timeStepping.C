@@ -94,7 +94,7 @@ std::vector<char> Foam::aerosol::timeStepping::collide
     const encounters& found,
     const fluidStep& step,
     const int nCollision,
-    equationOfMotion::state& end
+    stepEnd& end
 )
 {
     std::vector<cluster> clusters =

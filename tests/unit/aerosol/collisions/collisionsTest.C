@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <numeric>
 
 using namespace Foam;
@@ -29,23 +30,33 @@ using vec = Eigen::Vector3d;
 
 const double period = 1e-3;
 
+dictionary parse(const std::string& text)
+{
+    return dictionary(IStringStream(text)());
+}
+
+
+//- A model that lives as long as the tests
+const aggregate& model(const std::string& type)
+{
+    static std::vector<std::unique_ptr<aggregate>> all;
+
+    all.emplace_back(aggregate::New(parse("type " + type + ';')).ptr());
+
+    return *all.back();
+}
+
+
 collisions make
 (
     const std::string& contact = "stick",
-    const std::string& aggregate = "equivalentSphere"
+    const std::string& merging = "equivalentSphere"
 )
 {
-    return collisions
-    (
-        dictionary
-        (
-            IStringStream
-            (
-                "contact { type " + contact + "; }"
-                "aggregate { type " + aggregate + "; }"
-            )()
-        )
-    );
+    return
+    {
+        parse("contact { type " + contact + "; }"), model(merging)
+    };
 }
 
 

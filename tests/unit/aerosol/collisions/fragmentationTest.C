@@ -156,7 +156,7 @@ TEST(fragmentation, areRecorded)
     // Later ones get later ids; only one comes off at a time. Two alike are
     // dragged alike.
     particleArrays p = clusters({1, 4}, 1e-6, {vec::Zero(), vec(1e-4, 0, 0)});
-    motion.refresh(p);
+    motion.laws().refresh(p);
 
     EXPECT_TRUE(all.apply(p, {}, motion, gas, box(), 0.5, 1e-5, 1));
     EXPECT_TRUE(all.apply(p, {}, motion, gas, box(), 0.6, 1e-5, 2));
@@ -215,7 +215,7 @@ TEST(fragmentation, balanceMerging)
         {
             p.id(i) = i;
         }
-        motion.refresh(p);
+        motion.laws().refresh(p);
 
         fragmentation all
         (
@@ -240,7 +240,7 @@ TEST(fragmentation, balanceMerging)
                 pair.xi = pair.xj = pair.vi = pair.vj = vec::Zero();
 
                 model->merge(p, pair);
-                motion.refresh(p, pair.i);
+                motion.laws().refresh(p, pair.i);
 
                 std::vector<char> absorbed(p.size(), 0);
                 absorbed[pair.j] = 1;

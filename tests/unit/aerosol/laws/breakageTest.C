@@ -105,7 +105,7 @@ TEST(dragBreakage, hasTheTensionOfARigidPair)
     {
         particleArrays two =
             clusters({N, 1}, 1e-6, {vec::Zero(), vec::Zero()});
-        motion.refresh(two);
+        motion.laws().refresh(two);
 
         const double U = 0.3;
         const double k0 = two.m(0)*two.rate(0);
@@ -229,8 +229,8 @@ TEST(dragBreakage, comesInTimeInASound)
     const equationOfMotion motion = laws();
     particleArrays start = clusters({N}, 1e-6, {vec::Zero()});
     particleArrays pieces = clusters({N - 1, 1}, 1e-6, {vec(), vec()});
-    motion.refresh(start);
-    motion.refresh(pieces);
+    motion.laws().refresh(start);
+    motion.laws().refresh(pieces);
 
     const double tau = 1/start.rate(0);
     const std::complex<double> H = 1.0/std::complex<double>(1, omega*tau);

@@ -109,21 +109,22 @@ double settledSpeed
         (
             "drag {" + law + "}"
             "gravity { type uniform; value (0 0 -9.81); } wake { type none; }"
+            "aggregate { type none; }"
         ),
         gas,
         Eigen::Array3d::Ones()
     );
 
     particleArrays p = spheres({d}, density);
-    motion.refresh(p);
+    motion.laws().refresh(p);
 
-    const double h = 0.02*motion.relaxationTime(p)(0);
+    const double h = 0.02*motion.laws().relaxationTime(p)(0);
     const vectors still = vectors::Zero(3, 1);
-    equationOfMotion::state end;
+    stepEnd end;
 
     for (int s = 0; s < steps; ++s)
     {
-        motion.step(h, p, {}, {still, {}, still}, {}, 1, end);
+        motion.inWakes().moveTogether(h, p, {}, {still, {}, still}, {}, 1, end);
         p.x = end.x;
         p.v = end.v;
     }
@@ -216,17 +217,17 @@ TEST(drag, noneIsNothing)
     (
         parse
         (
-            "drag { type none; } wake { type none; }"
+            "drag { type none; } wake { type none; } aggregate { type none; }"
             "gravity { type uniform; value (0 0 -9.81); }"
         ),
         gasProperties::air(),
         Eigen::Array3d::Ones()
     );
-    motion.refresh(p);
+    motion.laws().refresh(p);
 
     const vectors gas = vectors::Ones(3, 2);
-    equationOfMotion::state end;
-    motion.step(0.1, p, {}, {gas, {}, 2*gas}, {}, 1, end);
+    stepEnd end;
+    motion.inWakes().moveTogether(0.1, p, {}, {gas, {}, 2*gas}, {}, 1, end);
 
     const double g = 9.81*(1 - 1.204/1000);
 

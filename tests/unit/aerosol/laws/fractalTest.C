@@ -91,14 +91,14 @@ vec velocityAfter
     const int steps
 )
 {
-    motion.refresh(p);
+    motion.laws().refresh(p);
 
     const vectors still = vectors::Zero(3, 1);
-    equationOfMotion::state end;
+    stepEnd end;
 
     for (int s = 0; s < steps; ++s)
     {
-        motion.step(h, p, {}, {still, {}, still}, {}, 1, end);
+        motion.inWakes().moveTogether(h, p, {}, {still, {}, still}, {}, 1, end);
         p.x = end.x;
         p.v = end.v;
     }
@@ -293,11 +293,11 @@ TEST(fractal, hasTheWakeOfItsMobility)
             "type Stokes; slipCorrection none;", "type none;",
             "type Oseen; range 20;", open
         );
-        motion.refresh(p);
+        motion.laws().refresh(p);
         range = p.range(0);
 
         vectors w;
-        motion.wakes(p, pairs, p.x, p.v, vectors::Zero(3, 2), w);
+        motion.wakes().sum(p, pairs, p.x, p.v, vectors::Zero(3, 2), w);
         return vec(w.col(1));
     };
 

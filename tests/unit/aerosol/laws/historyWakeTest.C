@@ -315,17 +315,17 @@ TEST(historyWake, isAppliedToThePairsThatAreNear)
         parse
         (
             "drag { type Stokes; slipCorrection none; }"
-            "gravity { type none; }"
+            "gravity { type none; } aggregate { type none; }"
             "wake { type history; frequency 1000; range 200; }"
         ),
         gasProperties::air(),
         Eigen::Array3d::Constant(GREAT)
     );
-    const wake& code = motion.wakeModel();
+    const wake& code = motion.laws().wakeModel();
 
     constexpr int n = 30;
     randomNumbers from(23);
-    equationOfMotion::sources all
+    wakeInteraction::sources all
     {
         vectors(3, n), vectors(3, n), scalars::Constant(n, 2*radius),
         scalars::Constant(n, GREAT), vectors::Zero(3, n), vectors(3, n)
@@ -350,7 +350,7 @@ TEST(historyWake, isAppliedToThePairsThatAreNear)
     }
 
     vectors found;
-    motion.wakes(all, pairs, n, found);
+    motion.wakes().sum(all, pairs, n, found);
 
     const auto paths = code.paths(all.slip, all.imaginary);
     int nNear = 0;

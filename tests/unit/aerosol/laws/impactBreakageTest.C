@@ -297,7 +297,7 @@ TEST(impactBreakage, beginsAtItsEnergyAndGivesWhatIsLeft)
                 );
 
                 const equationOfMotion motion = laws();
-                motion.refresh(p);
+                motion.laws().refresh(p);
 
                 contactOutcome::encounter pair;
                 pair.i = 0;
@@ -323,17 +323,14 @@ TEST(impactBreakage, beginsAtItsEnergyAndGivesWhatIsLeft)
 
                 collisions both
                 (
-                    parse
-                    (
-                        "contact { type stick; }"
-                        "aggregate { type fractal; dimension 1.8; }"
-                    )
+                    parse("contact { type stick; }"),
+                    motion.laws().aggregateModel()
                 );
                 both.breakBy(all.model());
 
                 const int survivor = both.meet(p, pair);
                 ASSERT_GE(survivor, 0);
-                motion.refresh(p, survivor);
+                motion.laws().refresh(p, survivor);
                 p.remove(both.takeAbsorbed(2));
                 ASSERT_EQ(p.size(), 1);
                 const double together = kineticEnergy(p);
@@ -396,14 +393,16 @@ TEST(impactBreakage, breaksNobodyWhoBounces)
 
     const fragmentation all(parse("type impact; bond " + glass));
 
+    const autoPtr<aggregate> merging =
+        aggregate::New(parse("type equivalentSphere;"));
     collisions both
     (
         parse
         (
             "contact { type criticalVelocity; workOfAdhesion 0.05;"
             " YoungsModulus 70e9; PoissonRatio 0.2; }"
-            "aggregate { type equivalentSphere; }"
-        )
+        ),
+        *merging
     );
     both.breakBy(all.model());
 
@@ -495,13 +494,9 @@ TEST(impactBreakage, ofSeveralTheHardestCounts)
         );
 
         fragmentation all(parse("type impact; bond " + glass));
-        collisions some
-        (
-            parse
-            (
-                "contact { type stick; } aggregate { type equivalentSphere; }"
-            )
-        );
+        const autoPtr<aggregate> merging =
+            aggregate::New(parse("type equivalentSphere;"));
+        collisions some(parse("contact { type stick; }"), *merging);
         some.breakBy(all.model());
 
         for (const int k : order)

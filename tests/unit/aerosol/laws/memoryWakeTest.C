@@ -342,16 +342,17 @@ TEST(memoryWake, knowsTheQuadratureOfASwingingParticle)
         (
             "drag { type Stokes; slipCorrection none; }"
             "gravity { type uniform; value (0 0 -9.81); }"
+            "aggregate { type none; }"
             "wake { type memory; frequency 1000; range 20; }"
         ),
         gas,
         Eigen::Array3d::Ones()
     );
-    motion.refresh(p);
+    motion.laws().refresh(p);
 
     // In a mean flow, which does not swing
     const vec mean(0.3, -0.2, 0);
-    motion.setMeanFlow(mean);
+    motion.laws().setMeanFlow(mean);
 
     // A parabola through three instants of the sound
     const double h = 1/frequency/200;
@@ -365,14 +366,15 @@ TEST(memoryWake, knowsTheQuadratureOfASwingingParticle)
 
     for (const double phase : {0.0, 0.4, 2.0, 5.0})
     {
-        const equationOfMotion::gasStep step
+        const stepValues step
         {
             gasAt(phase), gasAt(phase + 0.5*omega*h), gasAt(phase + omega*h)
         };
 
         for (const double part : {0.0, 0.5, 1.0})
         {
-            const vectors found = motion.imaginarySlip(p.rate, step, part, h);
+            const vectors found =
+                motion.wakes().imaginarySlip(p.rate, step, part, h);
 
             for (int i = 0; i < 3; ++i)
             {

@@ -53,7 +53,7 @@ dictionary laws(const std::string& wake)
         (
             "drag { type Stokes; slipCorrection Cunningham; }"
             "gravity { type uniform; value (0 0 -9.81); }"
-            "wake { " + wake + " }"
+            "wake { " + wake + " } aggregate { type none; }"
         )()
     );
 }
@@ -214,14 +214,14 @@ TEST(slipBound, saysHowFastWakesAreWhereTheyFade)
             Eigen::Array3d::Ones(),
             {1400, 1.53}
         );
-        motion.chooseTolerance(p);
-        motion.refresh(p);
+        motion.laws().chooseTolerance(p);
+        motion.laws().refresh(p);
 
         const double r = std::sqrt(0.5)*p.range(3);
         const double bound = 1.5*5e-6*slip(p, 3)/r;
-        const double speed = motion.fadingSpeed(p, 3);
+        const double speed = motion.wakes().fadingSpeed(p, 3);
 
-        if (motion.wakeModel().omega() > 0)
+        if (motion.laws().wakeModel().omega() > 0)
         {
             EXPECT_GT(speed, 0) << type;
             EXPECT_LT(speed, 0.2*bound) << type;
@@ -229,7 +229,7 @@ TEST(slipBound, saysHowFastWakesAreWhereTheyFade)
         else
         {
             EXPECT_NEAR(speed/bound, 1, 0.02) << type;
-            EXPECT_GT(speed, 5*motion.wakeModel().tolerance()) << type;
+            EXPECT_GT(speed, 5*motion.laws().wakeModel().tolerance()) << type;
         }
     }
 }
@@ -245,13 +245,13 @@ TEST(slipBound, givesTheRangesOfTheWakes)
         equationOfMotion motion
             (laws(wake), gas, Eigen::Array3d::Ones(), slips);
 
-        if (motion.wakeModel().needsTolerance())
+        if (motion.laws().wakeModel().needsTolerance())
         {
-            motion.chooseTolerance(p);
+            motion.laws().chooseTolerance(p);
         }
-        motion.refresh(p);
+        motion.laws().refresh(p);
 
-        return motion.wakeModel().tolerance();
+        return motion.laws().wakeModel().tolerance();
     };
 
     refresh("type Oseen; range 20;", {1400, 1.53});
@@ -295,9 +295,9 @@ TEST(slipBound, givesTheRangesOfTheWakes)
     // One that has grown has the range of its new size
     equationOfMotion motion
         (laws("type Oseen;"), gas, Eigen::Array3d::Ones(), {1400, 1.53});
-    motion.setTolerance(t);
+    motion.laws().setTolerance(t);
     p = spheres({2e-6}, 2300);
-    motion.refresh(p);
+    motion.laws().refresh(p);
     EXPECT_NEAR(p.range(0)/(0.75*2e-6*slip(p, 0)/t), 1, 1e-12);
 }
 
@@ -354,10 +354,10 @@ TEST(slipBound, keepsWhatIsLeftOutBelowTheTolerance)
                 Eigen::Array3d::Ones(),
                 {1400, 1.53}
             );
-            motion.refresh(p);
+            motion.laws().refresh(p);
 
             vectors w;
-            motion.wakes(p, pairs, p.x, p.v, u, w);
+            motion.wakes().sum(p, pairs, p.x, p.v, u, w);
 
             for (int i = 0; n && i < p.size(); ++i)
             {
