@@ -9,9 +9,9 @@
 #include "checkedDictionary.H"
 #include "checkedEntry.H"
 #include "evaluateOrRefuse.H"
+#include "compressibleCheck.H"
 #include "externalForce.H"
 #include "fvMesh.H"
-#include "numericsCheck.H"
 #include "surfaceInterpolate.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -165,9 +165,20 @@ Foam::acoustics::compressibleSound::compressibleSound
         SolverPerformance<vector>::debug = 0;
     }
 
-    const numericsCheck check(mesh, frequency(), gas().c);
-    check.report(Info);
-    check.warn(rho_, U_, psi_, p_, e_, pimple_);
+    compressibleCheck
+    (
+        mesh,
+        frequency(),
+        gas().c,
+        {
+            "ddt(" + rho_.name() + ',' + U_.name() + ')',
+            "ddt(" + rho_.name() + ')',
+            "ddt(" + psi_.name() + ',' + p_.name() + ')',
+            "ddt(" + rho_.name() + ',' + e_.name() + ')',
+            "ddt(" + rho_.name() + ",K)"
+        },
+        pimple_.nCorrPIMPLE()
+    ).report();
 }
 
 

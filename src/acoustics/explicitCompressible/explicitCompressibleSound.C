@@ -8,10 +8,10 @@
 #include "addToRunTimeSelectionTable.H"
 #include "checkedDictionary.H"
 #include "checkedEntry.H"
+#include "explicitCheck.H"
 #include "fvMatrices.H"
 #include "fvMesh.H"
 #include "fvOptions.H"
-#include "numericsCheck.H"
 #include "volFields.H"
 
 #include <algorithm>
@@ -404,9 +404,7 @@ Foam::acoustics::explicitCompressibleSound::explicitCompressibleSound
 
     checkLaminar();
 
-    const numericsCheck check(mesh, frequency(), gas().c);
-    check.report(Info);
-    check.warnExplicit();
+    explicitCheck(mesh, frequency(), gas().c).report();
 
     for (int k = 0; k < 5; ++k)
     {

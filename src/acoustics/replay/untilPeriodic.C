@@ -56,47 +56,16 @@ void Foam::acoustics::untilPeriodic::makeFlow
 void Foam::acoustics::untilPeriodic::endPeriod()
 {
     // All terms: the change does not depend on what is left out
-    const harmonicFlow::terms now(harmonicFlow::significant(sum_, 0));
-
-    scalar change = 1;
-    scalar changeOfMean = 1;
-    if (before_.size() == now.size())
-    {
-        scalar difference = 0;
-        scalar ofMean = 0;
-        scalar all = 0;
-        forAll(now, i)
-        {
-            forAll(now[i], celli)
-            {
-                const scalar V = mesh_.V()[celli];
-                difference += V*magSqr(now[i][celli] - before_[i][celli]);
-                all += V*magSqr(now[i][celli]);
-            }
-            if (i == 0)
-            {
-                ofMean = difference;
-            }
-        }
-        reduce(difference, sumOp<scalar>());
-        reduce(ofMean, sumOp<scalar>());
-        reduce(all, sumOp<scalar>());
-
-        change = std::sqrt(difference/max(all, VSMALL));
-        changeOfMean = std::sqrt(ofMean/max(all, VSMALL));
-    }
-    before_ = now;
-    quality_.change = change;
-
-    nSteady_ = change < tolerance_ ? nSteady_ + 1 : 0;
+    change_.add(harmonicFlow::significant(sum_, 0));
+    quality_.change = change_.ofAll();
 
     Info<< "Sound, period " << label(std::lround(sum_.end()*frequency()))
-        << ": the velocity has changed by " << 100*change << " %, "
-        << 100*changeOfMean << " % by its mean" << endl;
+        << ": the velocity has changed by " << 100*change_.ofAll() << " %, "
+        << 100*change_.ofMean() << " % by its mean" << endl;
 
     const auto* control = mesh_.cfindObject<levelControl>("levelControl");
     const bool periodic =
-        nSteady_ >= 2 && (!control || control->periodic());
+        change_.steady() && (!control || control->periodic());
 
     if (periodic || sum_.end() > startTime_ - 1e-6/frequency())
     {
@@ -107,10 +76,7 @@ void Foam::acoustics::untilPeriodic::endPeriod()
             << ": one more period is solved, and compared with its mean and "
             << flow_->nHarmonics() << " harmonics" << endl;
 
-        endOfComparison_ = sum_.end() + 1/frequency();
-        nCompared_ = 0;
-        squares_ = 0;
-        largest_ = 0;
+        comparison_ = replayComparison(sum_.end() + 1/frequency());
     }
 }
 
@@ -119,49 +85,9 @@ void Foam::acoustics::untilPeriodic::compare()
 {
     const scalar t = mesh_.time().value();
 
-    scalar n = 0;
-    scalar squares = 0;
-    scalar largest = 0;
+    comparison_.add(t, solvedVelocity(), *flow_, regions_.size());
 
-    const auto add = [&](const scalar differenceSqr)
-    {
-        n += 1;
-        squares += differenceSqr;
-        largest = max(largest, std::sqrt(differenceSqr));
-    };
-
-    for (size_t region = 0; region < regions_.size(); ++region)
-    {
-        velocityLattice::values solved;
-        flow_->sampler(region).sample(solvedVelocity(), solved);
-
-        const velocityLattice::values difference =
-            solved - flow_->atNodes(region, t);
-
-        for (Eigen::Index node = 0; node < difference.cols(); ++node)
-        {
-            add(difference.col(node).head<3>().matrix().squaredNorm());
-        }
-    }
-
-    if (regions_.empty())
-    {
-        const vectorField difference(solvedVelocity() - flow_->inCells(t));
-        for (const vector& d : difference)
-        {
-            add(magSqr(d));
-        }
-    }
-
-    reduce(n, sumOp<scalar>());
-    reduce(squares, sumOp<scalar>());
-    reduce(largest, maxOp<scalar>());
-
-    nCompared_ += n;
-    squares_ += squares;
-    largest_ = max(largest_, largest);
-
-    if (t > endOfComparison_ - 1e-6/frequency())
+    if (t > comparison_.end() - 1e-6/frequency())
     {
         handOver();
     }
@@ -170,40 +96,20 @@ void Foam::acoustics::untilPeriodic::compare()
 
 void Foam::acoustics::untilPeriodic::handOver()
 {
-    // The largest amplitude where the two have been compared
-    scalar amplitude = 0;
-    for (size_t region = 0; region < regions_.size(); ++region)
-    {
-        for (label i = 0; i < 24; ++i)
-        {
-            const scalar t =
-                mesh_.time().value() + i/(24*frequency());
-            amplitude = max
-            (
-                amplitude,
-                std::sqrt
-                (
-                    flow_->atNodes(region, t).topRows<3>().matrix()
-                   .colwise().squaredNorm().maxCoeff()
-                )
-            );
-        }
-    }
-    reduce(amplitude, maxOp<scalar>());
-
-    if (regions_.empty())
-    {
-        amplitude = flow_->largestAmplitude();
-    }
+    const scalar amplitude = replayComparison::amplitude
+    (
+        mesh_.time().value(), frequency(), *flow_, regions_.size()
+    );
 
     const scalar perCent = 100/max(amplitude, VSMALL);
 
-    quality_.difference = std::sqrt(squares_/nCompared_)/max(amplitude, VSMALL);
+    quality_.difference = comparison_.rms()/max(amplitude, VSMALL);
 
     Info<< "    Over the last period the replay differs from what was solved"
         << " by " << 100*quality_.difference << " % rms, and "
-        << perCent*largest_ << " % at most, of the velocity amplitude of "
-        << amplitude << " m/s" << nl
+        << perCent*comparison_.largest()
+        << " % at most, of the velocity amplitude of " << amplitude
+        << " m/s" << nl
         << "    From here on the sound is replayed" << endl;
 
     quality_.warn();
@@ -246,8 +152,7 @@ void Foam::acoustics::untilPeriodic::resume()
         << ": solved again" << endl;
 
     replaying_ = false;
-    nSteady_ = 0;
-    before_.clear();
+    change_.clear();
 
     // A restart in between solves
     fields_.clear();
@@ -329,7 +234,6 @@ Foam::acoustics::untilPeriodic::untilPeriodic
         readPositive(dict.subDict("solve"), "frequency", dimless/dimTime)
     ),
     mesh_(mesh),
-    tolerance_(readPositive(dict, "tolerance", dimless, 1e-3)),
     startTime_
     (
         dict.found("startTime") ? readFinite(dict, "startTime", dimTime) : GREAT
@@ -348,13 +252,9 @@ Foam::acoustics::untilPeriodic::untilPeriodic
     ),
     expectedAmplitude_(-1),
     sum_(frequency(), readInteger(dict, "harmonics", 5, 1, 100)),
-    nSteady_(0),
+    change_(mesh, readPositive(dict, "tolerance", dimless, 1e-3)),
     replaying_(state_.size()),
-    handOver_(0),
-    endOfComparison_(0),
-    nCompared_(0),
-    squares_(0),
-    largest_(0)
+    handOver_(0)
 {
     requireOnly
     (

@@ -4,8 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "soundPressureLevel.H"
-#include "cellField.H"
-#include "largestValue.H"
 #include "phasor.H"
 
 #include "addToRunTimeSelectionTable.H"
@@ -13,7 +11,6 @@
 #include "soundLevel.H"
 #include "stateDictionary.H"
 #include "soundSources.H"
-#include "tableFolder.H"
 #include "untilPeriodic.H"
 #include "volFields.H"
 #include "writtenFiles.H"
@@ -107,24 +104,6 @@ bool Foam::functionObjects::soundPressureLevel::isResolved
 }
 
 
-Foam::regIOobject* Foam::functionObjects::soundPressureLevel::own
-(
-    const word& name
-) const
-{
-    // The registry is asked each time: a sound that is replayed takes the names
-    // of its terms for fields of its own, and gives them back
-    auto* object = mesh_.getObjectPtr<regIOobject>(name);
-
-    return
-        object
-     && object->ownedByRegistry()
-     && object->note() == acoustics::cellFieldNote
-      ? object
-      : nullptr;
-}
-
-
 void Foam::functionObjects::soundPressureLevel::warnOfUnknown
 (
     const dictionary& dict
@@ -155,111 +134,6 @@ void Foam::functionObjects::soundPressureLevel::warnOfUnknown
                 << dict.name() << "; valid entries are " << own << endl;
         }
     }
-}
-
-
-template<class Type>
-void Foam::functionObjects::soundPressureLevel::keep
-(
-    const word& name,
-    const dimensionSet& dimensions,
-    const Field<Type>& inCells
-)
-{
-    using fieldType = GeometricField<Type, fvPatchField, volMesh>;
-
-    if (!fields_.found(name))
-    {
-        requireFree(name);
-        fields_.append(name);
-    }
-
-    if (!mesh_.foundObject<regIOobject>(name))
-    {
-        auto* field = acoustics::cellField
-        (
-            name, mesh_, dimensions, inCells
-        ).ptr();
-
-        // Into the registry, where other function objects find it
-        field->checkIn();
-        field->store();
-    }
-    else if (own(name))
-    {
-        auto& field = mesh_.lookupObjectRef<fieldType>(name);
-        field.primitiveFieldRef() = inCells;
-        field.correctBoundaryConditions();
-    }
-}
-
-
-void Foam::functionObjects::soundPressureLevel::requireFree
-(
-    const word& name
-) const
-{
-    const auto* other = mesh_.cfindObject<regIOobject>(name);
-
-    if (other && (own(name) || other->note() != acoustics::cellFieldNote))
-    {
-        FatalErrorInFunction
-            << "There is a field " << name << " already, of another function"
-            << " object, such as fieldAverage or another soundPressureLevel:"
-            << " the function object " << this->name() << " cannot make one"
-            << exit(FatalError);
-    }
-}
-
-
-void Foam::functionObjects::soundPressureLevel::writeTableHeader(Ostream& os)
-{
-    writeHeader(os, "Sound pressure level");
-    writeHeaderValue(os, "frequency [Hz]", frequency_);
-    for (size_t i = 0; i < points_.size(); ++i)
-    {
-        writeHeaderValue
-        (
-            os,
-            "point " + std::to_string(i),
-            points_[i].position()
-        );
-    }
-
-    writeCommented(os, "Time");
-    for (const char* column : {"period", "SPL", "x", "y", "z"})
-    {
-        writeTabbed(os, column);
-    }
-    for (label k = 1; k <= nHarmonics_; ++k)
-    {
-        writeTabbed(os, "pAmp" + std::to_string(k));
-    }
-    for (const char* column : {"SWR", "UAmp1", "UMean"})
-    {
-        writeTabbed(os, column);
-    }
-    for (size_t i = 0; i < points_.size(); ++i)
-    {
-        const std::string at = '(' + std::to_string(i) + ')';
-
-        for
-        (
-            const char* column
-          : {"SPL", "pPhase", "UMeanx", "UMeany", "UMeanz"}
-        )
-        {
-            writeTabbed(os, column + at);
-        }
-        for (const char* amplitude : {"pAmp", "UAmp"})
-        {
-            for (label k = 1; k <= nHarmonics_; ++k)
-            {
-                writeTabbed(os, amplitude + std::to_string(k) + at);
-            }
-        }
-    }
-    os  << endl;
 }
 
 
@@ -302,7 +176,6 @@ void Foam::functionObjects::soundPressureLevel::judge(const scalar amplitude)
 
 void Foam::functionObjects::soundPressureLevel::calculate()
 {
-    using acoustics::largestValue;
     using acoustics::soundLevel;
 
     const auto level = [](const scalarField& pRms)
@@ -337,12 +210,12 @@ void Foam::functionObjects::soundPressureLevel::calculate()
     (
         sqrt(max(pSquared_->mean() - sqr(p_->mean()), scalar(0)))
     );
-    keep("pRms", dimPressure, pRms);
-    keep("pMean", dimPressure, scalarField(p_->mean() + reference_));
-    keep("SPL", dimless, level(pRms));
+    fields_.keep("pRms", dimPressure, pRms);
+    fields_.keep("pMean", dimPressure, scalarField(p_->mean() + reference_));
+    fields_.keep("SPL", dimless, level(pRms));
 
     const vectorField& UMean = U_->mean();
-    keep("UMean", dimVelocity, UMean);
+    fields_.keep("UMean", dimVelocity, UMean);
 
     List<scalarField> pAmp(nHarmonics_ + 1);
     List<scalarField> UAmp(nHarmonics_ + 1);
@@ -352,146 +225,25 @@ void Foam::functionObjects::soundPressureLevel::calculate()
         const word number(std::to_string(k));
 
         pAmp[k] = sqrt(sqr(p_->cosine(k)) + sqr(p_->sine(k)));
-        keep("pAmp" + number, dimPressure, pAmp[k]);
+        fields_.keep("pAmp" + number, dimPressure, pAmp[k]);
 
         UAmp[k] = amplitude(U_->cosine(k), U_->sine(k));
-        keep("UAmp" + number, dimVelocity, UAmp[k]);
+        fields_.keep("UAmp" + number, dimVelocity, UAmp[k]);
 
         if (writeCoefficients_)
         {
-            keep("UCos" + number, dimVelocity, U_->cosine(k));
-            keep("USin" + number, dimVelocity, U_->sine(k));
+            fields_.keep("UCos" + number, dimVelocity, U_->cosine(k));
+            fields_.keep("USin" + number, dimVelocity, U_->sine(k));
         }
     }
-    keep("pPhase", dimless, phase(p_->cosine(1), p_->sine(1)));
+    fields_.keep("pPhase", dimless, phase(p_->cosine(1), p_->sine(1)));
 
     if (writeCoefficients_)
     {
         judge(gMax(UAmp[1]));
     }
 
-
-    // The table
-
-    const largestValue loudest(mesh_, pRms);
-
-    scalarList there(nHarmonics_ + 1, scalar(0));
-    for (label k = 1; k <= nHarmonics_; ++k)
-    {
-        if (loudest.cell >= 0)
-        {
-            there[k] = pAmp[k][loudest.cell];
-        }
-        reduce(there[k], sumOp<scalar>());
-    }
-
-    DynamicList<scalar> row;
-
-    row.append(soundLevel::SPL(loudest.value));
-    for (direction d = 0; d < vector::nComponents; ++d)
-    {
-        row.append(loudest.place[d]);
-    }
-    for (label k = 1; k <= nHarmonics_; ++k)
-    {
-        row.append(there[k]);
-    }
-    row.append
-    (
-        gMax(pAmp[1])/max(gMin(pAmp[1]), VSMALL)
-    );
-    row.append(gMax(UAmp[1]));
-    row.append(gMax(mag(UMean)()));
-
-    if (!points_.empty())
-    {
-        // Three scalars at a time; not amplitudes, which have kinks at nodes
-        const auto together =
-            [](const scalarField& a, const scalarField& b)
-            {
-                vectorField result(a.size(), Zero);
-                result.replace(vector::X, a);
-                result.replace(vector::Y, b);
-                return result;
-            };
-
-        List<scalarList> values(points_.size());
-
-        forAll(values, i)
-        {
-            const acoustics::meshPoint& point = points_[i];
-            const vector squares = point.interpolate
-            (
-                together(pSquared_->mean(), p_->mean())
-            );
-            const vector mean = point.interpolate(UMean);
-
-            scalarList& value = values[i];
-            value.setSize(5 + 2*nHarmonics_, scalar(0));
-            value[0] = soundLevel::SPL
-            (
-                std::sqrt
-                (
-                    max(squares.x() - sqr(squares.y()), scalar(0))
-                )
-            );
-            for (direction d = 0; d < vector::nComponents; ++d)
-            {
-                value[2 + d] = mean[d];
-            }
-
-            for (label k = 1; k <= nHarmonics_; ++k)
-            {
-                const vector p = point.interpolate
-                (
-                    together(p_->cosine(k), p_->sine(k))
-                );
-
-                if (k == 1)
-                {
-                    value[1] = acoustics::phaseOf(p.x(), p.y());
-                }
-                value[4 + k] = std::hypot(p.x(), p.y());
-                value[4 + nHarmonics_ + k] = acoustics::peak
-                (
-                    point.interpolate(U_->cosine(k)),
-                    point.interpolate(U_->sine(k))
-                );
-            }
-        }
-
-        for (const scalarList& value : values)
-        {
-            row.append(value);
-        }
-    }
-
-    if (Pstream::master() && writeToFile())
-    {
-        if (!table_)
-        {
-            table_ = tableFolder
-            (
-                baseFileDir()/prefix_,
-                Time::timeName(startTime_)
-            ).open(typeName);
-
-            initStream(*table_);
-            writeTableHeader(*table_);
-        }
-
-        OFstream& os = *table_;
-
-        // As many digits of the time as tell apart periods far from zero
-        os  << setprecision(15) << p_->end() << setprecision(writePrecision_)
-            << token::TAB << label(std::lround(p_->end()*frequency_));
-        for (const scalar value : row)
-        {
-            os  << token::TAB << value;
-        }
-        os  << nl;
-        tableFolder::flush(os);
-    }
+    writeRow(pRms, pAmp, gMax(UAmp[1]));
 }
 
 
@@ -511,7 +263,8 @@ Foam::functionObjects::soundPressureLevel::soundPressureLevel
     writeCoefficients_(false),
     warned_(false),
     lastTime_(0),
-    reference_(0)
+    reference_(0),
+    fields_(mesh_, name)
 {
     read(dict);
 }
@@ -613,17 +366,10 @@ bool Foam::functionObjects::soundPressureLevel::end()
 
 bool Foam::functionObjects::soundPressureLevel::write()
 {
-    for (const word& name : fields_)
-    {
-        if (auto* field = own(name))
-        {
-            field->write();
-            requireWritten(mesh_.time().timePath()/name);
-        }
-    }
+    fields_.write();
 
     // Last: what it describes is complete
-    if (terms_.size() && own("UMean"))
+    if (terms_.size() && fields_.found("UMean"))
     {
         dictionary dict;
 
