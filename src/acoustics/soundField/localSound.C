@@ -315,6 +315,35 @@ void Foam::acoustics::localSound::setLastPeriod
 }
 
 
+void Foam::acoustics::localSound::save(dictionary& state) const
+{
+    const std::vector<scalar> numbers = lastPeriod();
+
+    if (numbers.size())
+    {
+        // As text, but with all digits
+        const unsigned int precision = IOstream::defaultPrecision(17);
+
+        List<scalar> list(numbers.size());
+        std::copy(numbers.cbegin(), numbers.cend(), list.begin());
+        state.add("lastPeriod", list);
+
+        IOstream::defaultPrecision(precision);
+    }
+}
+
+
+void Foam::acoustics::localSound::load(const dictionary& state)
+{
+    if (state.found("lastPeriod"))
+    {
+        const List<scalar> numbers(state.get<List<scalar>>("lastPeriod"));
+
+        setLastPeriod({numbers.cbegin(), numbers.cend()});
+    }
+}
+
+
 Foam::scalar Foam::acoustics::localSound::amplitude(const scalar t) const
 {
     const auto known =

@@ -25,7 +25,8 @@ Foam::aerosol::setupCheck::setupCheck
     const domain& box,
     const turbulentGas& sound,
     const equationOfMotion& motion,
-    const collisions& meetings
+    const collisions& meetings,
+    const particleArrays& particles
 )
 :
     dict_(dict),
@@ -33,209 +34,12 @@ Foam::aerosol::setupCheck::setupCheck
     domain_(box),
     sound_(sound),
     motion_(motion),
-    collisions_(meetings)
+    collisions_(meetings),
+    particles_(particles)
 {}
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::aerosol::setupCheck::checkSound
-(
-    const particleArrays& particles
-) const
-{
-    if (sound_.frequency() <= 0)
-    {
-        return;
-    }
-
-    const scalar steps = 1/(sound_.frequency()*time_.deltaTValue());
-    const scalar shortest = domain_.bounds().minDim();
-
-    // Those that are carried along best and least move relative to each other
-    const scalar omega = constant::mathematical::twoPi*sound_.frequency();
-    const scalars tau = particleLaws::relaxationTime(particles);
-    const scalar s1 = min(omega*tau.minCoeff(), 1e8);
-    const scalar s2 = min(omega*tau.maxCoeff(), 1e8);
-    const scalar u12 =
-        sound_.velocityAmplitude()*(s2 - s1)/sqrt((1 + s1*s1)*(1 + s2*s2));
-    const scalar displacement = 2*u12/omega;
-    const scalar layer = sqrt(2*sound_.gas().nu()/omega);
-
-    std::ostringstream os;
-    os  << "Fluid steps per period " << steps << " (k_f = " << 1/steps
-        << ")\nRelative displacement of the smallest and the largest particle "
-        << displacement << " m (peak to peak), Stokes layer " << layer
-        << " m, shortest edge of the domain " << shortest << " m";
-
-    Info<< os.str().c_str() << nl;
-
-    if (steps < 20)
-    {
-        WarningInFunction
-            << "With " << steps << " fluid steps per period the velocity of"
-            << " the gas at the particles is not resolved in time: use at least"
-            << " 20, and 50 for strategies other than eventDriven" << endl;
-    }
-
-    if
-    (
-        (collisions_.active() || motion_.wakes().active())
-     && (shortest < displacement || shortest < 4*layer)
-    )
-    {
-        WarningInFunction
-            << "The domain is shorter than the relative displacement, "
-            << displacement << " m, or than four Stokes layers, " << 4*layer
-            << " m: particles meet periodic images that they would not meet"
-            << " in the chamber, and agglomerate too fast" << endl;
-    }
-}
-
-
-void Foam::aerosol::setupCheck::reportSettling
-(
-    const particleArrays& particles
-) const
-{
-    if (!particles.size() || particles.rate.minCoeff() <= 0)
-    {
-        return;
-    }
-
-    const vectors speed =
-        particles.acceleration.array().rowwise()
-       /particles.rate.transpose();
-
-    Eigen::Index i;
-    const scalar fastest = speed.colwise().norm().maxCoeff(&i);
-
-    if (fastest <= 0)
-    {
-        return;
-    }
-
-    const Time& time = time_;
-    const scalar rest = time.endTime().value() - time.value();
-    const Eigen::Array3d edges = toEigen(domain_.bounds().span());
-
-    std::ostringstream os;
-    os  << "The fastest settles at " << fastest << " m/s: by " << rest*fastest
-        << " m until the end, "
-        << rest*(speed.col(i).array().abs()/edges).maxCoeff()
-        << " times through the domain";
-
-    Info<< os.str().c_str() << nl;
-}
-
-
-void Foam::aerosol::setupCheck::checkBrownian
-(
-    const particleArrays& particles
-) const
-{
-    // Their noise of the step is known, and a bounce would have to reflect what
-    // is left of it for both
-    if (motion_.noise().active() && collisions_.bounces())
-    {
-        FatalIOErrorInFunction(dict_.subDict("contact"))
-            << "Particles that bounce cannot have Brownian motion: set"
-            << " 'Brownian' to none, or let them stick or pass"
-            << exit(FatalIOError);
-    }
-
-    if (!motion_.noise().active() || !particles.size())
-    {
-        return;
-    }
-
-    // Of two alike, relative to one another
-    const scalars displacements =
-        Foam::sqrt(2.0)
-       *motion_.noise().reach(time_.deltaTValue(), particles).x;
-
-    Eigen::Index i;
-    const scalar most =
-        (displacements/particles.collisionDiameter).maxCoeff(&i);
-
-    Info<< "Brownian motion in a fluid step, of two alike relative to one"
-        << " another: at most " << most << " diameters, at "
-        << particles.collisionDiameter(i) << " m" << nl;
-
-    if (most > 4)
-    {
-        WarningInFunction
-            << "In one fluid step, particles of "
-            << particles.collisionDiameter(i) << " m"
-            << " stray by " << most << " of their diameters relative to one"
-            << " another: eventDriven resolves up to four, and misses contacts"
-            << " beyond. Reduce deltaT of system/controlDict" << endl;
-    }
-}
-
-
-void Foam::aerosol::setupCheck::reportWakes
-(
-    const particleArrays& particles
-) const
-{
-    if (!motion_.wakes().active() || !particles.size())
-    {
-        return;
-    }
-
-    const wake& model = motion_.laws().wakeModel();
-    const int n = particles.size();
-
-    scalars range = particles.range;
-    std::sort(range.data(), range.data() + n);
-
-    std::ostringstream os;
-    os  << "Wakes act up to " << 1e6*range(0) << " um (smallest), "
-        << 1e6*range(n/2) << " um (median), " << 1e6*range(n - 1)
-        << " um (largest range), ";
-
-    if (model.tolerance() > 0)
-    {
-        os  << "where each is below the "
-            << (model.needsTolerance() ? "default " : "") << "tolerance, "
-            << model.tolerance() << " m/s"
-            << (model.needsTolerance() || model.ends()
-             ? ", or has no time to arise" : "");
-    }
-    else
-    {
-        os  << "a fixed number of diameters";
-    }
-
-    os  << ";\n    "
-        << 4.0/3*constant::mathematical::pi*range.cube().sum()/domain_.volume()
-        << " of them within reach of each particle; they fade out from "
-        << 0.01*std::round(100*wake::fadeBegin) << " of the range on";
-
-    Eigen::Index largest;
-    particles.mobilityDiameter.maxCoeff(&largest);
-
-    // Nothing is known of the slip without drag, or without the level
-    if
-    (
-        particles.rate(largest) > 0
-     && (sound_.frequency() <= 0 || sound_.expectedAmplitude() >= 0)
-    )
-    {
-        os  << ",\n    where that of the largest particle is up to "
-            << motion_.wakes().fadingSpeed
-               (
-                   particles, static_cast<int>(largest)
-               )
-            << " m/s";
-    }
-
-    Info<< os.str().c_str() << nl;
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::aerosol::setupCheck::requireTolerance() const
 {
@@ -276,58 +80,206 @@ void Foam::aerosol::setupCheck::requireTolerance() const
 }
 
 
-void Foam::aerosol::setupCheck::requireRanges
-(
-    const particleArrays& particles
-) const
+void Foam::aerosol::setupCheck::requireNoBounces() const
 {
-    const dictionary& dict = dict_.subDict("domain");
-    const scalar shortest = domain_.bounds().minDim();
-
-    // A particle must not feel a neighbour and its image at once
-    const auto requireRange = [&]
-    (
-        const char* what,
-        const scalar range,
-        const char* remedy
-    )
+    // Their noise of the step is known, and a bounce would have to reflect what
+    // is left of it for both
+    if (motion_.noise().active() && collisions_.bounces())
     {
-        if (2*range > shortest)
-        {
-            FatalIOErrorInFunction(dict)
-                << "The shortest edge of the domain, " << shortest
-                << " m, is less than twice the largest " << what << ", "
-                << range << " m: particles would meet a neighbour and its"
-                << " periodic image at once. Make the domain larger or the "
-                << what << " smaller" << remedy
-                << exit(FatalIOError);
-        }
-    };
-
-    requireRange
-    (
-        "range of contact",
-        particles.collisionDiameter.maxCoeff(),
-        ""
-    );
-    requireRange
-    (
-        "range of the wakes",
-        particles.range.maxCoeff(),
-        motion_.laws().wakeModel().tolerance() > 0
-      ? ", by a larger 'tolerance' or by a fixed 'range' in the dictionary"
-        " 'wake'"
-      : ", by 'range' in the dictionary 'wake'"
-    );
+        FatalIOErrorInFunction(dict_.subDict("contact"))
+            << "Particles that bounce cannot have Brownian motion: set"
+            << " 'Brownian' to none, or let them stick or pass"
+            << exit(FatalIOError);
+    }
 }
 
 
-void Foam::aerosol::setupCheck::report(const particleArrays& particles) const
+void Foam::aerosol::setupCheck::checkSound() const
 {
-    checkSound(particles);
-    reportSettling(particles);
-    checkBrownian(particles);
-    reportWakes(particles);
+    if (sound_.frequency() <= 0)
+    {
+        return;
+    }
+
+    const scalar steps = 1/(sound_.frequency()*time_.deltaTValue());
+    const scalar shortest = domain_.bounds().minDim();
+
+    // Those that are carried along best and least move relative to each other
+    const scalar omega = constant::mathematical::twoPi*sound_.frequency();
+    const scalars tau = particleLaws::relaxationTime(particles_);
+    const scalar s1 = min(omega*tau.minCoeff(), 1e8);
+    const scalar s2 = min(omega*tau.maxCoeff(), 1e8);
+    const scalar u12 =
+        sound_.velocityAmplitude()*(s2 - s1)/sqrt((1 + s1*s1)*(1 + s2*s2));
+    const scalar displacement = 2*u12/omega;
+    const scalar layer = sqrt(2*sound_.gas().nu()/omega);
+
+    std::ostringstream os;
+    os  << "Fluid steps per period " << steps << " (k_f = " << 1/steps
+        << ")\nRelative displacement of the smallest and the largest particle "
+        << displacement << " m (peak to peak), Stokes layer " << layer
+        << " m, shortest edge of the domain " << shortest << " m";
+
+    Info<< os.str().c_str() << nl;
+
+    if (steps < 20)
+    {
+        WarningInFunction
+            << "With " << steps << " fluid steps per period the velocity of"
+            << " the gas at the particles is not resolved in time: use at least"
+            << " 20, and 50 for strategies other than eventDriven" << endl;
+    }
+
+    if
+    (
+        (collisions_.active() || motion_.wakes().active())
+     && (shortest < displacement || shortest < 4*layer)
+    )
+    {
+        WarningInFunction
+            << "The domain is shorter than the relative displacement, "
+            << displacement << " m, or than four Stokes layers, " << 4*layer
+            << " m: particles meet periodic images that they would not meet"
+            << " in the chamber, and agglomerate too fast" << endl;
+    }
+}
+
+
+void Foam::aerosol::setupCheck::reportSettling() const
+{
+    if (!particles_.size() || particles_.rate.minCoeff() <= 0)
+    {
+        return;
+    }
+
+    const vectors speed =
+        particles_.acceleration.array().rowwise()
+       /particles_.rate.transpose();
+
+    Eigen::Index i;
+    const scalar fastest = speed.colwise().norm().maxCoeff(&i);
+
+    if (fastest <= 0)
+    {
+        return;
+    }
+
+    const Time& time = time_;
+    const scalar rest = time.endTime().value() - time.value();
+    const Eigen::Array3d edges = toEigen(domain_.bounds().span());
+
+    std::ostringstream os;
+    os  << "The fastest settles at " << fastest << " m/s: by " << rest*fastest
+        << " m until the end, "
+        << rest*(speed.col(i).array().abs()/edges).maxCoeff()
+        << " times through the domain";
+
+    Info<< os.str().c_str() << nl;
+}
+
+
+void Foam::aerosol::setupCheck::checkBrownian() const
+{
+    if (!motion_.noise().active() || !particles_.size())
+    {
+        return;
+    }
+
+    // Of two alike, relative to one another
+    const scalars displacements =
+        Foam::sqrt(2.0)
+       *motion_.noise().reach(time_.deltaTValue(), particles_).x;
+
+    Eigen::Index i;
+    const scalar most =
+        (displacements/particles_.collisionDiameter).maxCoeff(&i);
+
+    Info<< "Brownian motion in a fluid step, of two alike relative to one"
+        << " another: at most " << most << " diameters, at "
+        << particles_.collisionDiameter(i) << " m" << nl;
+
+    if (most > 4)
+    {
+        WarningInFunction
+            << "In one fluid step, particles of "
+            << particles_.collisionDiameter(i) << " m"
+            << " stray by " << most << " of their diameters relative to one"
+            << " another: eventDriven resolves up to four, and misses contacts"
+            << " beyond. Reduce deltaT of system/controlDict" << endl;
+    }
+}
+
+
+void Foam::aerosol::setupCheck::reportWakes() const
+{
+    if (!motion_.wakes().active() || !particles_.size())
+    {
+        return;
+    }
+
+    const wake& model = motion_.laws().wakeModel();
+    const int n = particles_.size();
+
+    scalars range = particles_.range;
+    std::sort(range.data(), range.data() + n);
+
+    std::ostringstream os;
+    os  << "Wakes act up to " << 1e6*range(0) << " um (smallest), "
+        << 1e6*range(n/2) << " um (median), " << 1e6*range(n - 1)
+        << " um (largest range), ";
+
+    if (model.tolerance() > 0)
+    {
+        os  << "where each is below the "
+            << (model.needsTolerance() ? "default " : "") << "tolerance, "
+            << model.tolerance() << " m/s"
+            << (model.needsTolerance() || model.ends()
+             ? ", or has no time to arise" : "");
+    }
+    else
+    {
+        os  << "a fixed number of diameters";
+    }
+
+    os  << ";\n    "
+        << 4.0/3*constant::mathematical::pi*range.cube().sum()/domain_.volume()
+        << " of them within reach of each particle; they fade out from "
+        << 0.01*std::round(100*wake::fadeBegin) << " of the range on";
+
+    Eigen::Index largest;
+    particles_.mobilityDiameter.maxCoeff(&largest);
+
+    // Nothing is known of the slip without drag, or without the level
+    if
+    (
+        particles_.rate(largest) > 0
+     && (sound_.frequency() <= 0 || sound_.expectedAmplitude() >= 0)
+    )
+    {
+        os  << ",\n    where that of the largest particle is up to "
+            << motion_.wakes().fadingSpeed(particles_, static_cast<int>(largest))
+            << " m/s";
+    }
+
+    Info<< os.str().c_str() << nl;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::aerosol::setupCheck::refuse() const
+{
+    requireTolerance();
+    requireNoBounces();
+}
+
+
+void Foam::aerosol::setupCheck::report() const
+{
+    checkSound();
+    reportSettling();
+    checkBrownian();
+    reportWakes();
 }
 
 

@@ -6,22 +6,17 @@
 #include "cloudFiles.H"
 
 #include "allDigits.H"
+#include "cellPlaces.H"
 #include "foamVersion.H"
 #include "IOdictionary.H"
 #include "IOField.H"
-#include "ListListOps.H"
 #include "ListOps.H"
 #include "Pstream.H"
 #include "Time.H"
 #include "passiveParticleCloud.H"
 #include "polyMesh.H"
-#include "polyMeshTetDecomposition.H"
 #include "restartableTime.H"
 #include "stateDictionary.H"
-#include "treeDataCell.H"
-
-#include <algorithm>
-#include <cmath>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -63,156 +58,6 @@ Foam::IOobject Foam::aerosol::cloudFiles::stateIO
 }
 
 
-Foam::List<Foam::tetIndices> Foam::aerosol::cloudFiles::locate
-(
-    const vectors& x
-) const
-{
-    List<tetIndices> places(x.cols());
-
-    if (!mesh_.nCells())
-    {
-        return places;
-    }
-
-    // Neighbours in the arrays are often neighbours in space
-    label hint = -1;
-
-    forAll(places, i)
-    {
-        if (!x.col(i).allFinite())
-        {
-            continue;
-        }
-
-        const point p(column(x, i));
-
-        if (hint >= 0)
-        {
-            places[i] = polyMeshTetDecomposition::findTet(mesh_, hint, p);
-        }
-
-        if (places[i].cell() < 0)
-        {
-            const label celli = mesh_.cellTree().findInside(p);
-
-            if (celli >= 0)
-            {
-                places[i] = polyMeshTetDecomposition::findTet(mesh_, celli, p);
-                hint = celli;
-            }
-        }
-    }
-
-    return places;
-}
-
-
-Foam::labelList Foam::aerosol::cloudFiles::mine
-(
-    const particleArrays& particles,
-    const UList<tetIndices>& places
-) const
-{
-    const label nobody = Pstream::nProcs();
-
-    labelList writer(places.size(), nobody);
-
-    forAll(places, i)
-    {
-        if (places[i].cell() >= 0)
-        {
-            writer[i] = Pstream::myProcNo();
-        }
-    }
-
-    combineToAll(writer, minEqOp<label>());
-
-    const label lost = writer.find(nobody);
-
-    if (lost >= 0)
-    {
-        FatalErrorInFunction
-            << std::count(writer.cbegin(), writer.cend(), nobody) << " of the "
-            << particles.size() << " particles are outside the mesh, which"
-            << " lies within " << mesh_.bounds() << nl
-            << "The first of them, of id " << particles.id(lost) << ", is at "
-            << column(particles.x, lost)
-            << exit(FatalError);
-    }
-
-    return findIndices(writer, Pstream::myProcNo());
-}
-
-
-bool Foam::aerosol::cloudFiles::remove(const word& name) const
-{
-    const fileName file = fileHandler().filePath
-    (
-        cloudFieldIO(*cloud_, name, IOobject::NO_READ).objectPath()
-    );
-
-    return returnReduce(fileHandler().rm(file), orOp<bool>());
-}
-
-
-void Foam::aerosol::cloudFiles::removeIfEmpty(const bool empty) const
-{
-    const fileName own =
-        cloudFieldIO(*cloud_, "id", IOobject::NO_READ).path();
-    const fileName there = fileHandler().filePath(own);
-
-    // Collated files are those of all ranks, and are written anew
-    fileHandler().rmDir(empty && there == own ? own : fileName(), true);
-}
-
-
-template<class Type>
-void Foam::aerosol::cloudFiles::requirePositive
-(
-    const word& name,
-    const Field<Type>& values
-) const
-{
-    for (const Type& value : values)
-    {
-        if (value <= 0)
-        {
-            FatalIOErrorInFunction
-            (
-                cloudFieldIO(*cloud_, name, IOobject::NO_READ).objectPath()
-            )
-                << "The file '" << name << "' " << place().c_str()
-                << " has the value " << value << ", but it must be positive"
-                << exit(FatalIOError);
-        }
-    }
-}
-
-
-template<class Type, class Value>
-bool Foam::aerosol::cloudFiles::writeField
-(
-    const word& name,
-    const labelUList& particles,
-    const Value& value
-) const
-{
-    IOField<Type> field
-    (
-        cloudFieldIO(*cloud_, name, IOobject::NO_READ),
-        particles.size()
-    );
-
-    forAll(particles, k)
-    {
-        field[k] = value(particles[k]);
-    }
-
-    return field.write(!particles.empty());
-}
-
-
 bool Foam::aerosol::cloudFiles::writeState
 (
     const dictionary& state,
@@ -227,74 +72,6 @@ bool Foam::aerosol::cloudFiles::writeState
 }
 
 
-Foam::string Foam::aerosol::cloudFiles::place() const
-{
-    return
-        "of the cloud " + cloud_->name() + " in time "
-      + mesh_.time().timeName();
-}
-
-
-template<class Type>
-Foam::Field<Type> Foam::aerosol::cloudFiles::readField
-(
-    const word& name,
-    labelList& sizes
-) const
-{
-    IOobject io(cloudFieldIO(*cloud_, name, IOobject::MUST_READ));
-
-    // A rank without particles has no files
-    const bool mine = io.typeHeaderOk<IOField<Type>>(true);
-
-    List<Field<Type>> parts(Pstream::nProcs());
-    parts[Pstream::myProcNo()] = IOField<Type>(io, mine);
-    gatherToAll(parts);
-
-    const Field<Type> all
-    (
-        ListListOps::combine<Field<Type>>(parts, accessOp<Field<Type>>())
-    );
-
-    // The first one says how many there are on each rank
-    const bool first = sizes.empty();
-    sizes.setSize(parts.size());
-
-    forAll(parts, proci)
-    {
-        if (first)
-        {
-            sizes[proci] = parts[proci].size();
-        }
-        else if (parts[proci].size() != sizes[proci])
-        {
-            const std::string onRank =
-                Pstream::parRun() ? " on rank " + Foam::name(proci) : "";
-
-            FatalIOErrorInFunction(io.objectPath())
-                << "The file '" << name << "' " << place().c_str() << " has "
-                << parts[proci].size() << " values"
-                << onRank.c_str()
-                << ", but there are " << sizes[proci] << " particles (of 'id')"
-                << exit(FatalIOError);
-        }
-    }
-
-    forAll(all, i)
-    {
-        if (!std::isfinite(scalar(mag(all[i]))))
-        {
-            FatalIOErrorInFunction(io.objectPath())
-                << "The file '" << name << "' " << place().c_str()
-                << " has the value " << all[i] << ", which is no finite number"
-                << exit(FatalIOError);
-        }
-    }
-
-    return all;
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::aerosol::cloudFiles::cloudFiles
@@ -304,7 +81,8 @@ Foam::aerosol::cloudFiles::cloudFiles
 )
 :
     mesh_(mesh),
-    cloud_(newEmptyCloud<passiveParticleCloud>(mesh, cloudName))
+    cloud_(newEmptyCloud<passiveParticleCloud>(mesh, cloudName)),
+    fields_(mesh, *cloud_)
 {
     cloud_->regIOobject::checkOut();
 }
@@ -327,6 +105,37 @@ bool Foam::aerosol::cloudFiles::found() const
     }
 
     return returnReduce(here, orOp<bool>());
+}
+
+
+void Foam::aerosol::cloudFiles::requireNoneBefore() const
+{
+    const Time& runTime = mesh_.time();
+
+    const auto has = [&](const instant& time)
+    {
+        return !fileHandler().filePath
+        (
+            runTime.path()/time.name()/"uniform"/(cloud_->name() + "State")
+        ).empty();
+    };
+
+    for (const instant& time : runTime.times())
+    {
+        if
+        (
+            time.value() < runTime.value() - 0.5*runTime.deltaTValue()
+         && has(time)
+        )
+        {
+            FatalErrorInFunction
+                << "Time " << runTime.timeName() << " has no particles, but"
+                << " time " << time.name() << " has. The run was interrupted"
+                << " while it wrote; remove " << runTime.timePath()
+                << " to continue from an earlier time"
+                << exit(FatalError);
+        }
+    }
 }
 
 
@@ -378,32 +187,32 @@ Foam::dictionary Foam::aerosol::cloudFiles::read
 
     labelList sizes;
 
-    const Field<label> id(readField<label>("id", sizes));
+    const Field<label> id(fields_.read<label>("id", sizes));
 
     if (id.size() != size)
     {
         FatalIOErrorInFunction(state)
             << "There were " << size << " particles, but the files 'id' "
-            << place().c_str() << " have " << id.size() << " values"
+            << fields_.place().c_str() << " have " << id.size() << " values"
             << exit(FatalIOError);
     }
 
-    const Field<label> primaries(readField<label>("primaries", sizes));
-    const Field<scalar> d(readField<scalar>("d", sizes));
-    const Field<scalar> mass(readField<scalar>("mass", sizes));
-    const Field<vector> position(readField<vector>("position", sizes));
-    const Field<vector> U(readField<vector>("U", sizes));
+    const Field<label> primaries(fields_.read<label>("primaries", sizes));
+    const Field<scalar> d(fields_.read<scalar>("d", sizes));
+    const Field<scalar> mass(fields_.read<scalar>("mass", sizes));
+    const Field<vector> position(fields_.read<vector>("position", sizes));
+    const Field<vector> U(fields_.read<vector>("U", sizes));
 
-    requirePositive("primaries", primaries);
-    requirePositive("d", d);
-    requirePositive("mass", mass);
+    fields_.requirePositive("primaries", primaries);
+    fields_.requirePositive("d", d);
+    fields_.requirePositive("mass", mass);
 
     // Files that are there only with Brownian motion, or unsteady drag; others
     // may be left from an earlier run
     const Field<vector> UBrownian
     (
         state.getOrDefault("UBrownian", false)
-      ? readField<vector>("UBrownian", sizes)
+      ? fields_.read<vector>("UBrownian", sizes)
       : Field<vector>(size, Zero)
     );
 
@@ -412,11 +221,11 @@ Foam::dictionary Foam::aerosol::cloudFiles::read
 
     if (history.size())
     {
-        step = readField<scalar>("historyStep", sizes);
+        step = fields_.read<scalar>("historyStep", sizes);
 
         forAll(history, j)
         {
-            history[j] = readField<vector>(historyName(j), sizes);
+            history[j] = fields_.read<vector>(historyName(j), sizes);
         }
     }
 
@@ -425,8 +234,8 @@ Foam::dictionary Foam::aerosol::cloudFiles::read
 
     if (state.getOrDefault("frame", false))
     {
-        framePosition = readField<vector>("framePosition", sizes);
-        frameU = readField<vector>("frameU", sizes);
+        framePosition = fields_.read<vector>("framePosition", sizes);
+        frameU = fields_.read<vector>("frameU", sizes);
     }
 
     frame.x.resize(3, framePosition.size());
@@ -446,7 +255,7 @@ Foam::dictionary Foam::aerosol::cloudFiles::read
         {
             FatalIOErrorInFunction(state)
                 << "The particle of id " << id[k] << " is there twice in the"
-                << " files " << place().c_str()
+                << " files " << fields_.place().c_str()
                 << exit(FatalIOError);
         }
 
@@ -510,8 +319,8 @@ void Foam::aerosol::cloudFiles::write
         }
     }
 
-    const List<tetIndices> places(locate(p.x));
-    const labelList mine(this->mine(p, places));
+    const cellPlaces places(mesh_, p);
+    const labelList& mine = places.mine();
 
     // The counter is common to all clouds of the program: not ours to advance
     const label counter = particle::particleCount_;
@@ -523,7 +332,10 @@ void Foam::aerosol::cloudFiles::write
         auto onDisk = autoPtr<passiveParticle>::New
         (
             mesh_,
-            place.tet(mesh_).pointToBarycentric(column(p.x, i)),
+            place.tet(mesh_).pointToBarycentric
+            (
+                cellPlaces::position(p, i)
+            ),
             place.cell(),
             place.face(),
             place.tetPt()
@@ -541,7 +353,7 @@ void Foam::aerosol::cloudFiles::write
 
     // A rank without particles writes no files; those of an earlier run with
     // the same time would be taken for its own
-    removeIfEmpty(mine.empty());
+    fields_.removeIfEmpty(mine.empty());
 
     const Time& runTime = mesh_.time();
 
@@ -555,18 +367,18 @@ void Foam::aerosol::cloudFiles::write
 
     cloud_->clear();
 
-    ok &= writeField<label>("id", mine, [&](label i) { return p.id(i); });
-    ok &= writeField<label>
+    ok &= fields_.write<label>("id", mine, [&](label i) { return p.id(i); });
+    ok &= fields_.write<label>
     (
         "primaries", mine, [&](label i) { return p.primaries(i); }
     );
-    ok &= writeField<scalar>("d", mine, [&](label i) { return p.d(i); });
-    ok &= writeField<scalar>("mass", mine, [&](label i) { return p.m(i); });
-    ok &= writeField<vector>
+    ok &= fields_.write<scalar>("d", mine, [&](label i) { return p.d(i); });
+    ok &= fields_.write<scalar>("mass", mine, [&](label i) { return p.m(i); });
+    ok &= fields_.write<vector>
     (
         "position", mine, [&](label i) { return column(p.x, i); }
     );
-    ok &= writeField<vector>
+    ok &= fields_.write<vector>
     (
         "U", mine, [&](label i) { return column(p.v, i); }
     );
@@ -576,43 +388,43 @@ void Foam::aerosol::cloudFiles::write
 
     if (thermal)
     {
-        ok &= writeField<vector>
+        ok &= fields_.write<vector>
         (
             "UBrownian", mine, [&](label i) { return column(p.thermal, i); }
         );
     }
     else
     {
-        remove("UBrownian");
+        fields_.remove("UBrownian");
     }
 
     if (frame.x.cols())
     {
-        ok &= writeField<vector>
+        ok &= fields_.write<vector>
         (
             "framePosition", mine, [&](label i) { return column(frame.x, i); }
         );
-        ok &= writeField<vector>
+        ok &= fields_.write<vector>
         (
             "frameU", mine, [&](label i) { return column(frame.v, i); }
         );
     }
     else
     {
-        remove("framePosition");
-        remove("frameU");
+        fields_.remove("framePosition");
+        fields_.remove("frameU");
     }
 
     if (p.history.rows())
     {
-        ok &= writeField<scalar>
+        ok &= fields_.write<scalar>
         (
             "historyStep", mine, [&](label i) { return p.history(0, i); }
         );
 
         for (int j = 0; 1 + 3*j < p.history.rows(); ++j)
         {
-            ok &= writeField<vector>
+            ok &= fields_.write<vector>
             (
                 historyName(j),
                 mine,
@@ -627,13 +439,13 @@ void Foam::aerosol::cloudFiles::write
     }
     else
     {
-        remove("historyStep");
+        fields_.remove("historyStep");
     }
 
     const int histories = (p.history.rows() + 1)/3;
 
     // Left by a run that remembered more
-    for (int j = histories; remove(historyName(j)); ++j)
+    for (int j = histories; fields_.remove(historyName(j)); ++j)
     {}
 
     // Last: what it describes is complete

@@ -208,25 +208,36 @@ std::int64_t Foam::aerosol::collisions::count() const
 }
 
 
-Foam::labelList Foam::aerosol::collisions::refusedPairs() const
+void Foam::aerosol::collisions::save(dictionary& state) const
 {
-    DynamicList<label> ids;
+    DynamicList<label> refused;
 
     for (const auto& pair : refused_)
     {
-        ids.append(pair.first);
-        ids.append(pair.second);
+        refused.append(pair.first);
+        refused.append(pair.second);
     }
 
-    return ids;
+    state.add("contacts", label(count()));
+    state.add("refusedPairs", labelList(refused));
 }
 
 
-void Foam::aerosol::collisions::setRefusedPairs(const labelList& ids)
+void Foam::aerosol::collisions::load(const dictionary& state)
 {
-    for (label k = 0; k + 1 < ids.size(); k += 2)
+    const labelList refused
+    (
+        state.getOrDefault<labelList>("refusedPairs", labelList())
+    );
+
+    setCount(state.get<label>("contacts"));
+
+    for (label k = 0; k + 1 < refused.size(); k += 2)
     {
-        refused_.insert(std::minmax<std::int64_t>(ids[k], ids[k + 1]));
+        refused_.insert
+        (
+            std::minmax<std::int64_t>(refused[k], refused[k + 1])
+        );
     }
 }
 

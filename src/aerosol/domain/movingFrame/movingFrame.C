@@ -16,16 +16,17 @@ Foam::aerosol::movingFrame::movingFrame
     const dictionary& dict,
     const domain& region,
     const chamber& room,
-    const scalar start
+    const scalar now,
+    const dictionary& state
 )
 :
     domain_(region),
     domainVelocity_(Eigen::Vector3d::Zero()),
-    start_(start),
+    start_(state.getOrDefault<scalar>("began", now)),
     end_(GREAT),
     path_(region.bounds()),
     velocity_(Eigen::Vector3d::Zero()),
-    origin_(start)
+    origin_(start_)
 {
     const boundBox& box = region.bounds();
 
@@ -66,7 +67,48 @@ Foam::aerosol::movingFrame::movingFrame
 }
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::aerosol::movingFrame::hadThisVelocity(const dictionary& state) const
+{
+    const auto was = [&](const word& component)
+    {
+        return state.getOrDefault<scalar>(component, VGREAT);
+    };
+
+    return
+        was("frameVelocityX") == velocity_(0)
+     && was("frameVelocityY") == velocity_(1)
+     && was("frameVelocityZ") == velocity_(2);
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::aerosol::movingFrame::move
+(
+    const Eigen::Vector3d& velocity,
+    const scalar now,
+    const dictionary& state
+)
+{
+    velocity_ = velocity;
+    origin_ =
+        hadThisVelocity(state) ? state.get<scalar>("frameOrigin") : now;
+}
+
+
+void Foam::aerosol::movingFrame::save(dictionary& state) const
+{
+    state.add("began", start_);
+    state.add("frameOrigin", origin_);
+
+    // A vector would lose digits here
+    state.add("frameVelocityX", velocity_(0));
+    state.add("frameVelocityY", velocity_(1));
+    state.add("frameVelocityZ", velocity_(2));
+}
+
 
 void Foam::aerosol::movingFrame::leave(particleArrays& p, const scalar t) const
 {

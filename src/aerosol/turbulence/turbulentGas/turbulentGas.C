@@ -113,6 +113,38 @@ void Foam::aerosol::turbulentGas::setDisplacement
 }
 
 
+void Foam::aerosol::turbulentGas::save(dictionary& state) const
+{
+    localSound::save(state);
+
+    if (turbulent())
+    {
+        const Eigen::Vector3d end = displacement();
+
+        // A vector would lose digits here
+        state.add("gasWayX", end(0));
+        state.add("gasWayY", end(1));
+        state.add("gasWayZ", end(2));
+    }
+}
+
+
+void Foam::aerosol::turbulentGas::load(const dictionary& state)
+{
+    localSound::load(state);
+
+    if (state.found("gasWayX"))
+    {
+        setDisplacement
+        ({
+            state.get<scalar>("gasWayX"),
+            state.get<scalar>("gasWayY"),
+            state.get<scalar>("gasWayZ")
+        });
+    }
+}
+
+
 void Foam::aerosol::turbulentGas::velocity
 (
     const scalar t,

@@ -451,6 +451,35 @@ TEST(collisions, goOnCountingAfterARestart)
 }
 
 
+TEST(collisions, saveAndLoadTheirCountAndRefusedPairs)
+{
+    randomNumbers random(8);
+    particleArrays p = randomParticles(4, random, 10);
+    collisions first = make("probability; sticking 0");
+
+    first.meet(p, touching(p, 0, 3, vec::Zero(), vec::UnitX()));
+    first.meet(p, touching(p, 2, 1, vec::Zero(), vec::UnitX()));
+
+    dictionary state;
+    first.save(state);
+
+    collisions second = make("probability; sticking 0");
+    second.load(state);
+
+    EXPECT_EQ(second.count(), 2);
+    EXPECT_TRUE(second.refused(p.id(3), p.id(0)));
+    EXPECT_TRUE(second.refused(p.id(1), p.id(2)));
+    EXPECT_FALSE(second.refused(p.id(0), p.id(1)));
+
+    // A state of before pairs were kept
+    state.remove("refusedPairs");
+    collisions third = make();
+    third.load(state);
+
+    EXPECT_EQ(third.count(), 2);
+}
+
+
 TEST(collisions, keepRecordsOnlyIfAskedTo)
 {
     randomNumbers random(9);

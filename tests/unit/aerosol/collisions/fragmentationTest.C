@@ -144,6 +144,33 @@ TEST(fragmentation, breakAggregatesOnlyAndShareThem)
 }
 
 
+TEST(fragmentation, savesAndLoadsTheNextIdAndTheCount)
+{
+    const std::string model = "type drag; " + JKR + "1e-20; }";
+
+    fragmentation first(parse(model));
+    first.begin(7, 2);
+
+    dictionary state;
+    first.save(state);
+    state.add("initialNumber", 5);
+
+    fragmentation second(parse(model));
+    second.load(state);
+
+    EXPECT_EQ(second.nextId(), 7);
+    EXPECT_EQ(second.count(), 2);
+
+    // A state of before anything could break
+    state.remove("nextId");
+    state.remove("breakages");
+    second.load(state);
+
+    EXPECT_EQ(second.nextId(), 5);
+    EXPECT_EQ(second.count(), 0);
+}
+
+
 TEST(fragmentation, areRecorded)
 {
     const equationOfMotion motion = laws();

@@ -45,4 +45,36 @@ Foam::autoPtr<Foam::aerosol::unsteadyDrag> Foam::aerosol::unsteadyDrag::New
 }
 
 
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::aerosol::unsteadyDrag::save(dictionary& state) const
+{
+    if (times().size())
+    {
+        List<scalar> list(times().size());
+        std::copy(times().data(), times().data() + list.size(), list.begin());
+
+        state.add("historyTimes", list);
+    }
+}
+
+
+bool Foam::aerosol::unsteadyDrag::continues(const dictionary& state) const
+{
+    const List<scalar> before
+    (
+        state.getOrDefault<List<scalar>>("historyTimes", List<scalar>())
+    );
+
+    bool same = before.size() == times().size() && !state.empty();
+
+    for (int j = 0; same && j < times().size(); ++j)
+    {
+        same = mag(before[j] - times()(j)) < 1e-4*times()(j);
+    }
+
+    return same;
+}
+
+
 // ************************************************************************* //

@@ -35,4 +35,28 @@ Foam::autoPtr<Foam::aerosol::wake> Foam::aerosol::wake::New
 }
 
 
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::aerosol::wake::save(dictionary& state) const
+{
+    if (needsTolerance())
+    {
+        state.add("wakeTolerance", tolerance());
+    }
+}
+
+
+bool Foam::aerosol::wake::load(const dictionary& state)
+{
+    if (needsTolerance() && state.found("wakeTolerance"))
+    {
+        setTolerance(state.get<scalar>("wakeTolerance"));
+
+        return true;
+    }
+
+    return !needsTolerance();
+}
+
+
 // ************************************************************************* //
