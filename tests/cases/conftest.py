@@ -9,11 +9,36 @@ from aerosolcase import AerosolCase
 ROOT = Path(__file__).resolve().parents[2]
 
 
+def pytest_addoption(parser):
+    parser.addoption(
+        "--full", action="store_true",
+        help="also the tests that take longer, with the statistics of"
+        " doc/verification.md",
+    )
+
+
+def pytest_configure(config):
+    config.addinivalue_line("markers", "full: runs only with --full")
+
+
+def pytest_collection_modifyitems(config, items):
+    if not config.getoption("full"):
+        for item in items:
+            if item.get_closest_marker("full"):
+                item.add_marker(pytest.mark.skip(reason="only with --full"))
+
+
 def pytest_sessionstart():
     if os.environ.get("ACOUSTICDEM_DIR") != str(ROOT):
         pytest.exit(f"first source the environment: . {ROOT}/bin/environment", 2)
     if not (Path(os.environ["ACOUSTICDEM_APPBIN"])/"acousticDEMFoam").exists():
         pytest.exit("there is no solver: run ./Allwmake -j first", 2)
+
+
+@pytest.fixture(name="full")
+def fixture_full(request):
+    """Whether the statistics are to be those of doc/verification.md."""
+    return request.config.getoption("full")
 
 
 @pytest.fixture(scope="session", name="meshed")

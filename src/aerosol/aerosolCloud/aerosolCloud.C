@@ -338,11 +338,11 @@ void Foam::aerosol::aerosolCloud::tabulate()
 
 void Foam::aerosol::aerosolCloud::announce()
 {
-    acoustics::soundField::vectors u;
-    sound_.velocityAt
-    (
-        mesh_.time().value(), particles_.x, particles_.response, u
-    );
+    vectors x = particles_.x;
+    domain_->confine(x);
+
+    vectors u;
+    sound_.velocityAt(mesh_.time().value(), x, particles_.response, u);
 
     coupling_->announce(particles_, motion_, u, mesh_.time().deltaTValue());
 }
@@ -452,7 +452,6 @@ void Foam::aerosol::aerosolCloud::evolve()
 
     if (coupling_)
     {
-        timeStepping_->migrate(particles_);
         coupling_->before(particles_, h);
     }
 
@@ -463,7 +462,6 @@ void Foam::aerosol::aerosolCloud::evolve()
 
     if (coupling_)
     {
-        domain_->confine(particles_.x);
         coupling_->after(particles_);
     }
 
@@ -481,11 +479,10 @@ void Foam::aerosol::aerosolCloud::evolve()
 
     if (coupling_)
     {
-        domain_->confine(particles_.x);
         announce();
     }
 
-    if (coupling_ || broken || mesh_.time().writeTime())
+    if (broken || mesh_.time().writeTime())
     {
         timeStepping_->migrate(particles_);
     }

@@ -257,7 +257,10 @@ void Foam::aerosol::setupCheck::reportWakes() const
     )
     {
         os  << ",\n    where that of the largest particle is up to "
-            << motion_.wakes().fadingSpeed(particles_, static_cast<int>(largest))
+            << motion_.wakes().fadingSpeed
+               (
+                   particles_, static_cast<int>(largest)
+               )
             << " m/s";
     }
 

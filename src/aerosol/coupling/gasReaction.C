@@ -102,7 +102,7 @@ void Foam::aerosol::gasReaction::begin()
 }
 
 
-void Foam::aerosol::gasReaction::migrate(const Eigen::MatrixXd& impulse)
+void Foam::aerosol::gasReaction::add(const Eigen::MatrixXd& impulse)
 {
     vectorField& debt = debt_.primitiveFieldRef();
 

@@ -6,11 +6,14 @@
 #include "twoWayCoupling.H"
 
 #include "checkedDictionary.H"
+#include "communicator.H"
 #include "domain.H"
 #include "fvMesh.H"
 #include "meanDecay.H"
 
 #include <unordered_map>
+#include <unordered_set>
+#include <vector>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -139,30 +142,99 @@ void Foam::aerosol::twoWayCoupling::before
 
 void Foam::aerosol::twoWayCoupling::after(const particleArrays& p)
 {
-    // On the gas: what they had and do not have any more
-    const vectors now = times(p.m, drift(p));
+    const vectors momentum = times(p.m, drift(p));
 
+    std::unordered_map<std::int64_t, int> here;
+    for (int k = 0; k < p.size(); ++k)
+    {
+        here[p.id(k)] = k;
+    }
+
+    // On the gas: what they had and do not have any more
     vectors x = x_;
     vectors impulse = momentum_;
 
-    std::unordered_map<std::int64_t, int> places;
-    for (int k = 0; k < p.size(); ++k)
-    {
-        places[p.id(k)] = k;
-    }
+    std::vector<int> left;
 
     for (int i = 0; i < int(id_.size()); ++i)
     {
-        const auto found = places.find(id_(i));
+        const auto found = here.find(id_(i));
 
-        if (found != places.end())
+        if (found == here.end())
         {
-            x.col(i) = p.x.col(found->second);
-            impulse.col(i) -= now.col(found->second);
+            left.push_back(i);
+            continue;
+        }
+
+        x.col(i) = p.x.col(found->second);
+        impulse.col(i) -= momentum.col(found->second);
+        here.erase(found);
+    }
+
+    // The others have been absorbed, or have migrated: each rank says which
+    // have come, and what those that have left it had
+    constexpr int size = 7;
+    std::vector<double> mine{double(here.size())};
+
+    for (const auto& arrived : here)
+    {
+        mine.push_back(double(arrived.first));
+    }
+    for (const int i : left)
+    {
+        mine.push_back(double(id_(i)));
+        mine.insert(mine.end(), x_.col(i).begin(), x_.col(i).end());
+        mine.insert
+        (
+            mine.end(), momentum_.col(i).begin(), momentum_.col(i).end()
+        );
+    }
+
+    const messages all =
+        communicator::exchange(messages(communicator::nRanks(), mine));
+
+    std::unordered_map<std::int64_t, const double*> departed;
+    std::unordered_set<std::int64_t> arrived;
+
+    for (const std::vector<double>& of : all)
+    {
+        const std::size_t n = 1 + std::size_t(of[0]);
+
+        for (std::size_t k = 1; k < n; ++k)
+        {
+            arrived.insert(std::int64_t(of[k]));
+        }
+        for (std::size_t k = n; k < of.size(); k += size)
+        {
+            departed[std::int64_t(of[k])] = &of[k + 1];
         }
     }
 
-    reaction_.migrate(inCells(x, impulse));
+    for (const int i : left)
+    {
+        if (arrived.count(id_(i)))
+        {
+            impulse.col(i).setZero();
+        }
+    }
+
+    const Eigen::Index n = x.cols();
+    x.conservativeResize(Eigen::NoChange, n + here.size());
+    impulse.conservativeResize(Eigen::NoChange, n + here.size());
+
+    Eigen::Index column = n;
+    for (const auto& one : here)
+    {
+        const double* const before = departed.at(one.first);
+
+        x.col(column) = p.x.col(one.second);
+        impulse.col(column) =
+            Eigen::Vector3d(before[3], before[4], before[5])
+          - momentum.col(one.second);
+        ++column;
+    }
+
+    reaction_.add(inCells(x, impulse));
 }
 
 

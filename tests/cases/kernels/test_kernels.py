@@ -6,6 +6,8 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.full
+
 TESTS = Path(os.environ["ACOUSTICDEM_APPBIN"])/"acousticDEMUnitTests"
 
 
@@ -23,10 +25,7 @@ def test_turbulence(stepping):
     measure(f"*turbulentKernel.*/{stepping}")
 
 
-FULL = bool(os.environ.get("ACOUSTICDEM_FULL_STATISTICS"))
-
-
-@pytest.mark.parametrize("edge", [500, 1000, 2000] if FULL else [500])
+@pytest.mark.parametrize("edge", [500, 1000, 2000])
 def test_turbulence_with_inertia(edge):
     measure(f"*boxOfFlyAsh.*/of{edge}um")
 
@@ -47,8 +46,7 @@ def measure(tests):
     if not TESTS.exists():
         pytest.skip("there are no unit tests: run ./Allwmake --tests")
     run = subprocess.run(
-        [TESTS, f"--gtest_filter={tests}"],
-        env={**os.environ, "ACOUSTICDEM_FULL_STATISTICS": "1"},
+        [TESTS, "--full", f"--gtest_filter={tests}"],
         capture_output=True, text=True, check=False,
     )
     print(run.stdout)

@@ -7,7 +7,6 @@ of weak-shock theory, 2/(n (1 + sigma)), the limit of Fay's solution for small
 viscosity. sigma = beta k u_0 t with beta = (gamma + 1)/2.
 """
 
-import os
 import sys
 from pathlib import Path
 
@@ -138,10 +137,7 @@ def test_loses_energy_in_a_shock_of_165_dB(tmp_path):
     compare(found, sawtooth, 0.02, 0.04)
 
 
-@pytest.mark.skipif(
-    not os.environ.get("ACOUSTICDEM_FULL_STATISTICS"),
-    reason="takes 15 s: only with ACOUSTICDEM_FULL_STATISTICS",
-)
+@pytest.mark.full
 def test_loses_energy_in_a_shock_of_149_dB(tmp_path):
     found = harmonics(tmp_path/"case", 149, [3], cells=200, steps=200)
 

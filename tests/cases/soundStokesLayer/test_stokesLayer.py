@@ -9,7 +9,6 @@ is the first term of the exact solution for long waves (Zwikker and Kosten),
     F(x) = tanh((1 + i) x)/((1 + i) x), with H half of the gap.
 """
 
-import os
 import sys
 from pathlib import Path
 
@@ -225,10 +224,7 @@ def long_wave_streaming(y, half_gap):
     return np.interp(y, grid, (driven + pressure*pushed)*OMEGA/2/(-3/8))
 
 
-@pytest.mark.skipif(
-    not os.environ.get("ACOUSTICDEM_FULL_STATISTICS"),
-    reason="takes two minutes: only with ACOUSTICDEM_FULL_STATISTICS",
-)
+@pytest.mark.full
 def test_streams_as_rayleigh_says(tmp_path):
     """The layer drives a mean flow, 3 u_0^2/(8 c) sin(2 k x) at its edge.
 

@@ -14,7 +14,6 @@ Description
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 
 using namespace Foam;
 using namespace Foam::aerosol;
@@ -73,7 +72,7 @@ TEST_P(conservation, throughManyMerges)
     // Without drag; rows of four head for their middles, where they
     // merge in any order
     const double pitch = 30e-6;
-    const int side = std::getenv("ACOUSTICDEM_FULL_STATISTICS") ? 33 : 10;
+    const int side = full() ? 33 : 10;
     const double length = side*pitch;
 
     randomNumbers random(1);
