@@ -92,6 +92,29 @@ Foam::ITstream& readDimensions
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
+bool Foam::holdsVector(const ITstream& is)
+{
+    if (is.nRemainingTokens() != 5)
+    {
+        return false;
+    }
+
+    const label first = is.tokenIndex();
+
+    const auto isBracket = [&](const label i, const token::punctuationToken c)
+    {
+        return is[i].isPunctuation() && is[i].pToken() == c;
+    };
+
+    return
+        isBracket(first, token::BEGIN_LIST)
+     && is[first + 1].isNumber()
+     && is[first + 2].isNumber()
+     && is[first + 3].isNumber()
+     && isBracket(first + 4, token::END_LIST);
+}
+
+
 Foam::scalar Foam::readFinite
 (
     const dictionary& dict,
@@ -264,16 +287,17 @@ Foam::vector Foam::getVector
     scalar multiplier;
     ITstream& is = readDimensions(dict, key, dimensions, multiplier);
 
-    vector value;
-    is >> value;
-
-    if (is.nRemainingTokens())
+    if (!holdsVector(is))
     {
         FatalIOErrorInFunction(dict)
-            << "Entry '" << key << "' of " << dict.name()
-            << " must be one vector, such as (1 0 0), and nothing after it"
+            << "Entry '" << key << "' of " << dict.name() << " is '"
+            << visible(is.toString()).c_str() << "', but it must be one vector,"
+            << " such as (1 0 0), and nothing after it"
             << exit(FatalIOError);
     }
+
+    vector value;
+    is >> value;
 
     return multiplier*value;
 }

@@ -45,6 +45,11 @@ void Foam::checkTimes(const Time& time)
             << " is before the time at which the run starts, " << now
             << " s: there is nothing to do" << endl;
     }
+    else if (end < now + 0.5*h)
+    {
+        Info<< "The case has been run up to 'endTime' " << end << " s: there is"
+            << " nothing to do. To go on, make 'endTime' larger" << nl << endl;
+    }
 }
 
 

@@ -323,10 +323,11 @@ void Foam::acoustics::levelControl::control()
     if (unit > VSMALL)
     {
         Info<< ", phase "
-            << degrees(std::arg(response.back()*std::conj(driveOfUnit_)));
+            << degrees(std::arg(response.back()*std::conj(driveOfUnit_)))
+            << " deg";
     }
 
-    Info<< " deg, change " << 100*change << " %";
+    Info<< ", change " << 100*change << " %";
 
     if (starting || nStarted_ < crossing_ || response.size() < 3)
     {

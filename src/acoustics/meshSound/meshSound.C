@@ -285,9 +285,10 @@ Foam::label Foam::acoustics::meshSound::prepare(const boundBox& region)
         constant::mathematical::twoPi*frequency()/gas_.c
     );
 
-    Info<< "    gas velocity from nodes (" << spacing[0] << ' ' << spacing[1]
-        << ' ' << spacing[2] << ") m apart: up to " << 100*error
-        << " % of the amplitude are lost between them" << endl;
+    Info<< "    gas velocity at the particles: interpolated from nodes ("
+        << spacing[0] << ' ' << spacing[1] << ' ' << spacing[2]
+        << ") m apart, with an error of up to " << 100*error
+        << " % of the amplitude" << endl;
 
     if (error > 1e-3)
     {

@@ -258,16 +258,28 @@ BAD = {
     "word": (ACOUSTIC, "1400", "high", "'frequency' .* is 'high', .* number"),
     "wordForCount": (AEROSOL, NUMBER, "count many;", "'count' .* is 'many', .* number"),
     "wordForCentre": (
-        AEROSOL, r"centre +\([^)]*\)", "centre here", "here.*domain.centre",
+        AEROSOL, r"centre +\([^)]*\)", "centre here",
+        "'centre' .* is 'here', .* one vector",
     ),
     "wordForLength": (
-        AEROSOL, r"length +0\.5e-3", "length long", "long.*domain.length",
+        AEROSOL, r"length +0\.5e-3", "length long",
+        "'length' .* is 'long', .* one number, for a cube, or",
     ),
     "wordForGravity": (
-        AEROSOL, r"value +\([^)]*\)", "value down", "down.*gravity.value",
+        AEROSOL, r"value +\([^)]*\)", "value down",
+        "'value' of .*gravity.* is 'down', .* one vector, such as",
+    ),
+    "numberForGravity": (
+        AEROSOL, r"value +\([^)]*\)", "value -9.81",
+        "'value' of .*gravity.* is '-9.81', .* one vector, such as",
+    ),
+    "numberForCentre": (
+        AEROSOL, r"centre +\([^)]*\)", "centre 0.0613",
+        "'centre' of .*domain.* is '0.0613', .* one vector, such as",
     ),
     "twoComponents": (
-        AEROSOL, r"length +0\.5e-3", "length (5e-4 5e-4)", "domain.length",
+        AEROSOL, r"length +0\.5e-3", "length (5e-4 5e-4)",
+        r"'length' .* is .*0\.0005 0\.0005.*, .* \(Lx Ly Lz\)",
     ),
     "nan": (ACOUSTIC, "1400", "nan", "'frequency' .* is 'nan', .* number"),
     "inf": (AEROSOL, "2300", "inf", "'density' .* is 'inf', .* number"),
@@ -277,10 +289,12 @@ BAD = {
     ),
     "vectorAndMore": (
         ACOUSTIC, "SPL", "velocity (1 0 0) 2; SPL",
-        "'velocity' .* must be one vector",
+        "'velocity' .* must be one vector, such as .*, and nothing after it",
     ),
-    "infLength": (AEROSOL, r"0\.5e-3", "inf", "inf.*domain.length"),
-    "infInCentre": (AEROSOL, r"0\.0613 0 0", "inf 0 0", "inf.*domain.centre"),
+    "infLength": (AEROSOL, r"0\.5e-3", "inf", "'length' of .* is 'inf', .* number"),
+    "infInCentre": (
+        AEROSOL, r"0\.0613 0 0", "inf 0 0", "'centre' .* is .*inf 0 0.* one vector",
+    ),
     "nothing": (ACOUSTIC, "1400", "", "'frequency' .* one number"),
     "twoValues": (ACOUSTIC, "1400", "1400 Hz", "'frequency' .* one number"),
 

@@ -64,3 +64,12 @@ def test_aggregates_that_outgrow_the_box_can_be_restarted(box):
     box.control("startFrom", "latestTime")
     box.control("endTime", "2e-4")
     assert "Continuing with the 1 particles" in box.run(SOLVER)
+
+
+def test_a_run_that_has_ended_says_how_to_go_on(box):
+    first = short(box).run(SOLVER)
+    box.control("startFrom", "latestTime")
+    again = box.run(SOLVER)
+    hint = "there is nothing to do. To go on, make 'endTime' larger"
+    assert hint not in first
+    assert hint in again and "\nEnd\n" in again

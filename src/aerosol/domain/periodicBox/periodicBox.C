@@ -30,26 +30,25 @@ Foam::vector readLength(const Foam::dictionary& dict)
 {
     Foam::requireValue(dict, "length");
     Foam::ITstream& is = dict.lookup("length");
-    const Foam::token first(is);
 
-    Foam::vector length;
+    Foam::vector length(Foam::Zero);
 
-    if (first.isNumber())
+    if (is.size() == 1 && is[0].isNumber())
     {
-        length = Foam::vector::uniform(first.number());
+        length = Foam::vector::uniform(is[0].number());
     }
-    else
+    else if (Foam::holdsVector(is))
     {
-        is.putBack(first);
         is >> length;
     }
 
-    if (is.nRemainingTokens() || !(Foam::cmptMin(length) > 0))
+    if (!(Foam::cmptMin(length) > 0))
     {
         FatalIOErrorInFunction(dict)
-            << "Entry 'length' of " << dict.name() << " is "
-            << is.toString() << ", but it must be one number, for a cube, or"
-            << " (Lx Ly Lz), all of them positive, in metres"
+            << "Entry 'length' of " << dict.name() << " is '"
+            << Foam::visible(is.toString()).c_str() << "', but it must be one"
+            << " number, for a cube, or (Lx Ly Lz), all of them positive, in"
+            << " metres"
             << exit(Foam::FatalIOError);
     }
 
