@@ -7,9 +7,8 @@
 #include "eigenVector.H"
 
 #include "foamVersion.H"
-#include "fvMesh.H"
+#include "polyMesh.H"
 #include "Pstream.H"
-#include "volMesh.H"
 
 #include <algorithm>
 #include <array>
@@ -33,7 +32,7 @@ constexpr double maxBins = 1e5;
 
 Foam::aerosol::representedCells::representedCells
 (
-    const fvMesh& mesh,
+    const polyMesh& mesh,
     const boundBox& box,
     const Eigen::Array<bool, 3, 1>& whole
 )
@@ -130,7 +129,7 @@ Foam::aerosol::representedCells::representedCells
                       + n_(0)*(first[1] + j + n_(1)*(first[2] + k))
                     );
                     fraction_.push_back(fraction);
-                    volume_ += fraction*mesh.V()[celli];
+                    volume_ += fraction*mesh.cellVolumes()[celli];
                 }
             }
         }

@@ -53,12 +53,12 @@ std::array<int, 3> split(const int n, const Eigen::Array3d& span)
 Foam::aerosol::decomposition::decomposition
 (
     const domain& region,
-    const bool shared
+    const int n
 )
 :
     origin_(toEigen(region.bounds().min())),
     span_(toEigen(region.bounds().span())),
-    n_(split(shared ? 1 : communicator::nRanks(), span_))
+    n_(split(n, span_))
 {}
 
 

@@ -12,7 +12,7 @@
 
 Foam::aerosol::ghosts::ghosts(const domain& region, const bool shared)
 :
-    decomposition_(region, shared),
+    decomposition_(region, shared ? 1 : communicator::nRanks()),
     period_(region.period()),
     n_(0),
     sent_(decomposition_.n()),
