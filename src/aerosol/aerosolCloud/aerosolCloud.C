@@ -396,7 +396,7 @@ void Foam::aerosol::aerosolCloud::couple(gasReaction& reaction)
     std::ostringstream os;
     os  << name() << " acts on "
         << 100*coupling_->volume()/gSum(mesh_.V().field())
-        << " % of the gas, with " << mass/gas << " times the mass of that";
+        << " % of the gas, with a mass loading of " << mass/gas;
 
     Info<< os.str().c_str() << nl;
 

@@ -83,7 +83,7 @@ std::string Foam::aerosol::cloudLog::effort
     os  << "Steps, on average:\n    fluid     " << fluidStep << " s, "
         << moved/max(done.particleSteps, 1.0) << " particles, "
         << communicator::sum(done.wakePairs)/n << " wakes on particles, "
-        << communicator::sum(done.contactPairs)/n << " pairs within reach";
+        << communicator::sum(done.contactPairs)/n << " pairs that may meet";
 
     if (perFluid > 1)
     {

@@ -88,7 +88,7 @@ std::string Foam::aerosol::cloudModels::table(const dictionary& dict)
 
     if (!without.empty())
     {
-        os  << "\n    by default:" << without;
+        os  << "\n    not given, so by default:" << without;
     }
 
     return os.str();

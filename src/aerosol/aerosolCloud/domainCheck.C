@@ -75,7 +75,9 @@ Foam::aerosol::domainCheck::domainInMesh
             << "The domain of the particles, " << box.min() << " to "
             << box.max() << " m, leaves the mesh, which extends from "
             << room.bounds().min() << " to " << room.bounds().max() << " m"
-            << where.str().c_str() << exit(FatalIOError);
+            << where.str().c_str()
+            << ". Change 'centre' or 'length', or make the mesh larger"
+            << exit(FatalIOError);
     }
 
     return made;

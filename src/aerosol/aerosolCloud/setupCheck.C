@@ -169,7 +169,7 @@ void Foam::aerosol::setupCheck::reportSettling() const
     const Eigen::Array3d edges = toEigen(domain_.bounds().span());
 
     std::ostringstream os;
-    os  << "The fastest settles at " << fastest << " m/s: by " << rest*fastest
+    os  << "The fastest particle settles at " << fastest << " m/s: by " << rest*fastest
         << " m until the end, "
         << rest*(speed.col(i).array().abs()/edges).maxCoeff()
         << " times through the domain";
@@ -230,7 +230,7 @@ void Foam::aerosol::setupCheck::reportWakes() const
 
     if (model.tolerance() > 0)
     {
-        os  << "where each is below the "
+        os  << "where a wake falls below the "
             << (model.needsTolerance() ? "default " : "") << "tolerance, "
             << model.tolerance() << " m/s"
             << (model.needsTolerance() || model.ends()
@@ -243,8 +243,8 @@ void Foam::aerosol::setupCheck::reportWakes() const
 
     os  << ";\n    "
         << 4.0/3*constant::mathematical::pi*range.cube().sum()/domain_.volume()
-        << " of them within reach of each particle; they fade out from "
-        << 0.01*std::round(100*wake::fadeBegin) << " of the range on";
+        << " wakes act on a particle, on average; a wake fades out from "
+        << 0.01*std::round(100*wake::fadeBegin) << " of its range on";
 
     Eigen::Index largest;
     particles_.mobilityDiameter.maxCoeff(&largest);
@@ -256,7 +256,7 @@ void Foam::aerosol::setupCheck::reportWakes() const
      && (sound_.frequency() <= 0 || sound_.expectedAmplitude() >= 0)
     )
     {
-        os  << ",\n    where that of the largest particle is up to "
+        os  << ",\n    where the wake of the largest particle is still up to "
             << motion_.wakes().fadingSpeed
                (
                    particles_, static_cast<int>(largest)

@@ -344,7 +344,9 @@ BAD = {
     ),
 
     # Places
-    "boxOutside": (AEROSOL, r"0\.0613 0 0", "0 0 0", "leaves the mesh"),
+    "boxOutside": (
+        AEROSOL, r"0\.0613 0 0", "0 0 0", "leaves the mesh.* make the mesh larger",
+    ),
     "boxForWakes": (
         AEROSOL, "range +20", "range 60",
         "range of the wakes smaller, by 'range' in .* 'wake'",

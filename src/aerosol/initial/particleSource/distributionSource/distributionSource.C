@@ -71,7 +71,8 @@ int Foam::aerosol::distributionSource::count(const domain& region) const
             << ", but it must be a whole number from 1 to "
             << std::numeric_limits<int>::max() << "; change '"
             << (byConcentration ? "numberConcentration" : "count")
-            << "' of " << dict_.name() << " or the size of the domain"
+            << "' of " << dict_.name()
+            << (byConcentration ? " or the size of the domain" : "")
             << exit(FatalIOError);
     }
 
