@@ -285,7 +285,8 @@ def test_the_log_begins_with_version_and_models(box):
         "wake         Oseen; range 20;",
         "timeStepping multipleTimeStep; kp 1; kc 0.1;",
         "particles    distribution; density 2300; size { lognormal; median",
-        "not given, so by default: unsteadyDrag Brownian breakage frame coupling turbulence",
+        "not given, so by default: unsteadyDrag Brownian breakage frame coupling"
+        " turbulence",
     ):
         assert f"\n    {line}" in log
 
