@@ -65,6 +65,9 @@ bool Foam::aerosol::particleStep::begin
         motion_.laws().refresh(p);
     }
 
+    // The gas is sampled here, and again when particles are moved: lists of
+    // neighbours, which come between, need these accelerations, and to keep the
+    // gas of all particles would take nine numbers of each
     if (motion_.unsteady().active())
     {
         const stepGas gas = sampler.whenAsked(p, step, true);
