@@ -9,6 +9,10 @@ from aerosolcase import AerosolCase
 ROOT = Path(__file__).resolve().parents[2]
 
 
+# Memory that was given back is overwritten: who goes on using it is found out
+os.environ.setdefault("MALLOC_PERTURB_", "85")
+
+
 def pytest_addoption(parser):
     parser.addoption(
         "--full", action="store_true",

@@ -185,7 +185,9 @@ void Foam::aerosol::representedCells::add
         }
     }
 
+    // Moves them to other memory
     combineToAll(sums, plusEqOp<scalar>());
+    new (&bins) Eigen::Map<Eigen::MatrixXd>(sums.data(), rows, n_.prod());
 
     bins /= size_.prod();
 
