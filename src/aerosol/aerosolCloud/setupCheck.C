@@ -169,8 +169,8 @@ void Foam::aerosol::setupCheck::reportSettling() const
     const Eigen::Array3d edges = toEigen(domain_.bounds().span());
 
     std::ostringstream os;
-    os  << "The fastest particle settles at " << fastest << " m/s: by " << rest*fastest
-        << " m until the end, "
+    os  << "The fastest particle settles at " << fastest << " m/s: by "
+        << rest*fastest << " m until the end, "
         << rest*(speed.col(i).array().abs()/edges).maxCoeff()
         << " times through the domain";
 
