@@ -26,6 +26,9 @@ int memberLength(const particleArrays& p)
     return 2 + p.packedNumbers() + 3*nVectors;
 }
 
+//- Further away than any wake reaches, but with a finite square [m]
+constexpr double farAway = 1e100;
+
 //- Of a pair: its cluster, two ids, the image, the number of steps
 constexpr int pairLength = 7;
 
@@ -279,28 +282,36 @@ std::vector<Foam::aerosol::cluster> Foam::aerosol::clusterExchange::gather
         record << name(i) << double(i);
         p.pack(i, record.room(p.packedNumbers()));
 
-        const auto add = [&](const vectors& v, const int column)
+        const auto add =
+        [&](const vectors& v, const int column, const double otherwise = 0)
         {
             record
              << (
                     v.cols() && column >= 0
                   ? Eigen::Vector3d(v.col(column))
-                  : Eigen::Vector3d(0, 0, 0)
+                  : Eigen::Vector3d(Eigen::Vector3d::Constant(otherwise))
                 );
         };
 
-        const auto addStep = [&](const stepValues& step, const int column)
+        const auto addStep =
+        [&]
+        (
+            const stepValues& step,
+            const int column,
+            const double otherwise = 0
+        )
         {
-            add(step.u0, column);
-            add(step.um, column);
-            add(step.u1, column);
+            add(step.u0, column, otherwise);
+            add(step.um, column, otherwise);
+            add(step.u1, column, otherwise);
         };
 
         const int place = wakes.place(i);
 
+        // A member without wakes is out of range of those of the others
         addStep(air, k);
         addStep(wakes.values(), place);
-        addStep(wakes.x(), place);
+        addStep(wakes.x(), place, farAway);
         addStep(wakes.slip(), place);
         add(increment.v, i);
         add(increment.x, i);

@@ -270,6 +270,44 @@ TEST_P(eachTimeStepping, lookForWhatTheAbsorbedOneWouldHaveMet)
 }
 
 
+TEST_P(eachTimeStepping, keepsAClusterFreeOfWakesOutOfRange)
+{
+    // Two meet near a third one, which belongs to their cluster, but is beyond
+    // the range of their wakes; also where coordinates are zero
+    for (const vec& centre : {vec(0, 0, 0), vec(1e-3, 2e-3, -1e-3)})
+    {
+        for (const bool close : {true, false})
+        {
+            settings s = with("type Stokes; slipCorrection none;");
+            s.wake =
+                close ? "type Oseen; range 1;" : "type Oseen; range 3;";
+
+            const double d = close ? 4e-6 : 10e-6;
+            const double v = close ? 0.1 : 1;
+            const vec third(0, close ? 40e-6 : 60e-6, 0);
+
+            experiment box
+            (
+                arrays
+                ({
+                    {1, d, 1000, centre, {v, 0, 0}},
+                    {2, d, 1000, centre + vec(1.5*d, 0, 0), {-v, 0, 0}},
+                    {3, close ? 20e-6 : d, 1000, centre + third, vec::Zero()}
+                }),
+                vec::Constant(400e-6), s,
+                new swingingGas(0, vec::Zero(), s.gas), centre
+            );
+            box.run(12e-6, 1);
+
+            ASSERT_EQ(box.p.size(), 2) << close;
+            EXPECT_EQ(box.p.id(1), 3);
+            EXPECT_EQ(box.p.v.col(1), vec::Zero());
+            EXPECT_EQ(box.p.x.col(1), vec(centre + third));
+        }
+    }
+}
+
+
 TEST_P(eachTimeStepping, doesNotLetTheFastTunnel)
 {
     // 400 diameters closer in one step, past one another in a 40th of it
