@@ -10,7 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_set>
+#include <set>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -241,16 +241,20 @@ void Foam::aerosol::clusterSolver::redirect
         }
     }
 
-    // The neighbours of both are now listed twice
+    // The neighbours of both are now listed twice; in a small domain, one may
+    // be a neighbour in more than one image
     std::vector<particlePair> kept;
-    std::unordered_set<std::int64_t> known;
+    std::set<std::pair<int, periods>> known;
 
     for (const particlePair& pair : pairs)
     {
-        const std::int64_t low = std::min(pair.i, pair.j);
-        const std::int64_t high = std::max(pair.i, pair.j);
+        const bool isNew =
+            pair.i == survivor
+          ? known.insert({pair.j, pair.image}).second
+          : pair.j != survivor
+         || known.insert({pair.i, reversed(pair.image)}).second;
 
-        if (pair.i != pair.j && known.insert(low << 32 | high).second)
+        if (pair.i != pair.j && isNew)
         {
             kept.push_back(pair);
         }

@@ -270,6 +270,35 @@ TEST_P(eachTimeStepping, lookForWhatTheAbsorbedOneWouldHaveMet)
 }
 
 
+TEST_P(eachTimeStepping, findsTheRightImageAfterAMerger)
+{
+    // A fast one takes another one along, and meets the third in one of the
+    // two images that it may reach in a short box
+    for (const double way : {1.0, -1.0})
+    {
+        for (const bool fastFirst : {true, false})
+        {
+            const std::vector<sphere> spheres
+            {
+                {fastFirst ? 1 : 3, 8e-6, 2000, {0, 0, 0}, {way, 0, 0}},
+                {2, 8e-6, 100, {25e-6*way, 0, 0}, {0, 0, 0}},
+                {fastFirst ? 3 : 1, 8e-6, 1000, {70e-6*way, 0, 0}, {0, 0, 0}}
+            };
+
+            experiment box
+            (
+                arrays(spheres), {100e-6, 200e-6, 200e-6}, with("type none;"),
+                new swingingGas(0, vec::Zero(), gasProperties::air())
+            );
+            box.run(90e-6, 1);
+
+            EXPECT_EQ(meetings.size(), 2u) << way << ' ' << fastFirst;
+            EXPECT_EQ(box.p.size(), 1) << way << ' ' << fastFirst;
+        }
+    }
+}
+
+
 TEST_P(eachTimeStepping, keepsAClusterFreeOfWakesOutOfRange)
 {
     // Two meet near a third one, which belongs to their cluster, but is beyond
