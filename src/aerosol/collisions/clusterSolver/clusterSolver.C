@@ -368,33 +368,79 @@ void Foam::aerosol::clusterSolver::solve
             0.5*(p.collisionDiameter(pair.i) + p.collisionDiameter(pair.j));
         scalar when = found.first;
 
+        // A time at which they overlap and come closer, if there is one
+        scalar closing = -1;
+
+        // The gap between their surfaces at `end` [m], and its rate [m/s]
+        const auto gapAndRate = [&]()
+        {
+            const Eigen::Vector3d r =
+                end.x.col(pair.j) + shift(pair) - end.x.col(pair.i);
+
+            return std::pair<double, double>
+            (
+                r.norm() - touch,
+                (end.v.col(pair.j) - end.v.col(pair.i)).dot(r)/r.norm()
+            );
+        };
+
+        const auto moveTo = [&](const scalar time)
+        {
+            if (time > 1e-9*longest)
+            {
+                moveOver(time, end);
+            }
+            else
+            {
+                end.x = p.x;
+                end.v = p.v;
+            }
+        };
+
         for (int n = 0; n < 5 && when > 1e-9*longest; ++n)
         {
             moveOver(when, end);
 
-            const Eigen::Vector3d r =
-                end.x.col(pair.j) + shift(pair) - end.x.col(pair.i);
-            const double gap = r.norm() - touch;
-            const double rate =
-                (end.v.col(pair.j) - end.v.col(pair.i)).dot(r)/r.norm();
+            const auto [gap, rate] = gapAndRate();
 
             if (std::abs(gap) < closed*touch || rate >= 0)
             {
                 break;
             }
+            if (gap < 0)
+            {
+                closing = when;
+            }
 
             when = std::min(std::max(when - gap/rate, 0.0), length);
         }
 
-        if (when > 1e-9*longest)
-        {
-            moveOver(when, end);
-        }
-        else
+        if (when <= 1e-9*longest)
         {
             when = 0;
-            end.x = p.x;
-            end.v = p.v;
+        }
+
+        moveTo(when);
+
+        // Two that overlap, separate and turn round have no gap that closes:
+        // they meet where they turn round
+        if (collisions_.bounces() && when < closing && gapAndRate().second >= 0)
+        {
+            scalar apart = when;
+            when = closing;
+
+            for (int n = 0; n < 40; ++n)
+            {
+                const scalar half = 0.5*(apart + when);
+
+                moveTo(half);
+
+                const auto [gap, rate] = gapAndRate();
+
+                (gap < 0 && rate < 0 ? when : apart) = half;
+            }
+
+            moveTo(when);
         }
 
         const contactOutcome::encounter encounter = encounterOf

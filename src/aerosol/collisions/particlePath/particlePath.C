@@ -250,8 +250,8 @@ double Foam::aerosol::particlePath::firstApproach
     const double touch
 )
 {
-    // Distance from contact that is no distance, in distances: a bounce leaves
-    // as much
+    // Gap up to which two are in touch, relative to the distance of contact: a
+    // bounce leaves as much
     constexpr double closed = 1e-9;
 
     // Steps of those in touch that separate
@@ -260,7 +260,7 @@ double Foam::aerosol::particlePath::firstApproach
     const double last = a.length_;
     const double speed = std::max(a.relativeSpeed(b), VSMALL);
 
-    for (double t = 0; t < last; )
+    for (double t = 0; ; t = std::min(t + stride*touch/speed, last))
     {
         const Eigen::Vector3d r = b.position(t) - a.position(t);
         const double gap = r.norm() - touch;
@@ -285,10 +285,13 @@ double Foam::aerosol::particlePath::firstApproach
             return t;
         }
 
-        t += stride*touch/speed;
+        // Also at the end: two that close there would begin the next step with
+        // an overlap
+        if (t >= last)
+        {
+            return GREAT;
+        }
     }
-
-    return GREAT;
 }
 
 

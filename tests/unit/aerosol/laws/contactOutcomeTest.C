@@ -396,6 +396,39 @@ TEST_P(bouncing, endsInSticking)
 }
 
 
+TEST_P(bouncing, endsInStickingAlsoIfPressedHard)
+{
+    // So hard that the last bounces are lower than the gap of two in touch, and
+    // that two that separate turn round in the same step
+    for (const std::string& g : strings{"100", "1e3", "1e4"})
+    {
+        for (const std::string& e : strings{"0", "0.3", "0.7", "0.95"})
+        {
+            settings law = with("type Stokes; slipCorrection none;");
+            law.gravity = "type uniform; value (-" + g + " 0 0);";
+            law.contact =
+                "type probability; sticking 0; restitution " + e + ";";
+
+            experiment pair
+            (
+                two(5e-6, 10e-6, 1e-6, vec::Zero(), vec::Zero()), 200e-6, law
+            );
+
+            double deepest = 0;
+
+            for (int k = 0; k < 300 && pair.p.size() > 1; ++k)
+            {
+                pair.run(10e-6, 1);
+                deepest = std::max(deepest, deepestOverlap(pair));
+            }
+
+            EXPECT_EQ(pair.p.size(), 1) << g << ' ' << e;
+            EXPECT_LT(deepest, 1e-8) << g << ' ' << e;
+        }
+    }
+}
+
+
 TEST_P(bouncing, crowdKeepsMomentumAndDistance)
 {
     const int n = 300;
