@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "neighbourList.H"
+#include "communicator.H"
 
 #include <algorithm>
 
@@ -58,7 +59,8 @@ void Foam::aerosol::neighbourList::findActing
     const scalars& skin
 )
 {
-    const bool mutual = skin.size();
+    // Also on ranks without particles: all ranks exchange the same quantities
+    const bool mutual = communicator::max(skin.size()) > 0;
 
     scalars reaches = mutual ? scalars(reach.max(skin)) : reach;
     scalars skins = skin;

@@ -90,6 +90,7 @@ Foam::aerosol::decomposition::gather(const particleArrays& own)
     {
         from.resizeLaws();
         from.rate.setZero();
+        from.response.setZero();
         from.acceleration.setZero();
         from.range.setZero();
         from.mobilityDiameter.setZero();
