@@ -159,7 +159,6 @@ void Foam::aerosol::representedCells::add
     const Eigen::Index rows = amounts.rows();
 
     scalarField sums(rows*n_.prod(), Zero);
-    Eigen::Map<Eigen::MatrixXd> bins(sums.data(), rows, n_.prod());
 
     // Copies, which the compiler knows to stay as they are
     const Eigen::Array3i n = n_;
@@ -181,15 +180,16 @@ void Foam::aerosol::representedCells::add
 
         for (Eigen::Index row = 0; row < rows; ++row)
         {
-            bins(row, bin) += amounts(row, i);
+            sums[rows*bin + row] += amounts(row, i);
         }
     }
 
-    // Moves them to other memory
+    // The sums are in another place in memory after that
     combineToAll(sums, plusEqOp<scalar>());
-    new (&bins) Eigen::Map<Eigen::MatrixXd>(sums.data(), rows, n_.prod());
 
-    bins /= size_.prod();
+    const Eigen::MatrixXd bins =
+        Eigen::Map<const Eigen::MatrixXd>(sums.cdata(), rows, n_.prod())
+       /size_.prod();
 
     for (std::size_t c = 0; c < cell_.size(); ++c)
     {

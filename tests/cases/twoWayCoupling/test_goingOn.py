@@ -1,6 +1,9 @@
 """A coupled run goes on after a restart and on other numbers of ranks."""
 
+import os
 import shutil
+import subprocess
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -75,27 +78,51 @@ def test_begins_again_from_the_start(tmp_path, whole):
     assert np.array_equal(parts, whole)
 
 
-def run_on_two_ranks(case):
+@pytest.fixture(scope="module", name="scribble")
+def fixture_scribble(tmp_path_factory):
+    """What LD_PRELOAD must be for a program that never gets memory back."""
+    sanitizer = os.environ.get("ACOUSTICDEM_PRELOAD")
+    if sanitizer:  # sees more
+        return sanitizer
+    library = tmp_path_factory.mktemp("scribble")/"scribble.so"
+    subprocess.run(
+        ["cc", "-shared", "-fPIC", "-O1", "-o", library,
+         Path(__file__).with_name("scribble.c")], check=True,
+    )
+    return library
+
+
+def run_on_two_ranks(case, scribble, n="(2 1 1)", cells=()):
+    """The pressures. The ranks share the mesh by n, or by the given cells."""
+    head = "FoamFile {{ version 2.0; format ascii; class {}; object {}; }}\n"
     case.write(
         "system/decomposeParDict",
-        """FoamFile
-{
-    version 2.0; format ascii; class dictionary; object decomposeParDict;
-}
-numberOfSubdomains 2;
-method  simple;
-simpleCoeffs { n (2 1 1); delta 0.001; }
-""",
+        head.format("dictionary", "decomposeParDict")
+        + f"numberOfSubdomains 2; method {'manual' if cells else 'simple'};"
+        f" simpleCoeffs {{ n {n}; delta 0.001; }}"
+        ' manualCoeffs { dataFile "cellDecomposition"; }',
+    )
+    case.write(
+        "constant/cellDecomposition",
+        head.format("labelList", "cellDecomposition")
+        + f"({' '.join(map(str, cells))})",
     )
     case.run("decomposePar")
+    # A rank that crashes may leave the other one waiting
     case.run(
-        "mpirun", "--oversubscribe", "-np", 2, "acousticDEMFoam", "-parallel"
+        "timeout", "-s", "KILL", 300, "mpirun", "--oversubscribe", "-np", 2,
+        "env", f"LD_PRELOAD={scribble}", "acousticDEMFoam", "-parallel",
     )
     return case.probes("history", "p")[1][:, 0]
 
 
-def test_ranks(tmp_path, whole):
-    parts = run_on_two_ranks(prepare(tmp_path/"case", 1))
+@pytest.mark.parametrize("shared", [
+    {"n": "(2 1 1)"}, {"n": "(1 2 1)"}, {"cells": [1]*25},
+], ids=["along the tube", "across it", "one rank without cells"])
+def test_ranks(tmp_path, whole, scribble, shared):
+    parts = run_on_two_ranks(
+        prepare(tmp_path/"case", 1), scribble, **shared
+    )
     first = whole[:len(parts)]
     off = np.abs(parts - first).max()/np.abs(first - 101325).max()
     print(f"two ranks: {off:.1e} of the amplitude off")
@@ -107,7 +134,7 @@ def test_ranks(tmp_path, whole):
     "type eventDriven;", "type multipleTimeStep; kp 0.5; kc 0.1;",
     "type conventional; kc 0.1;",
 ])
-def test_a_particle_changes_its_rank(tmp_path, stepping, shift):
+def test_a_particle_changes_its_rank(tmp_path, scribble, stepping, shift):
     """It oscillates, by 2.7 um, across the middle of the tube."""
     def make(name):
         case = prepare(tmp_path/name, 1, N + 1, shift)
@@ -118,7 +145,7 @@ def test_a_particle_changes_its_rank(tmp_path, stepping, shift):
     one.run("acousticDEMFoam")
     whole = one.probes("history", "p")[1][:, 0]
 
-    parts = run_on_two_ranks(make("two"))
+    parts = run_on_two_ranks(make("two"), scribble)
     off = np.abs(parts - whole).max()/np.abs(whole - 101325).max()
     print(f"{stepping} {off:.1e} of the amplitude off")
     assert off < 1e-6
