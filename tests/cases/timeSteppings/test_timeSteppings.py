@@ -77,3 +77,20 @@ def test_without_drag_all_go_straight_on(tmp_path, meshed, stepping, wake):
     way = last["position"] - x - 0.1/1400*v
     assert np.abs(way - 0.5e-3*np.round(way/0.5e-3)).max() < 1e-14
     assert np.abs(last["U"] - v).max() < 1e-14
+
+
+@pytest.mark.parametrize("stepping", [
+    "type eventDriven;", STEPPINGS["multipleTimeStep"],
+], ids=["eventDriven", "multipleTimeStep"])
+@pytest.mark.parametrize("wake", ["none", "Oseen"])
+def test_a_step_is_shorter_than_the_box(box, stepping, wake):
+    """Also the first one, from rest: else the search for neighbours among all
+    periodic images on the way would have no end."""
+    box.model("timeStepping", stepping)
+    box.model(
+        "wake", "type Oseen; range 20;" if wake == "Oseen" else "type none;"
+    )
+    box.model("gravity", "type uniform; value (0 0 -2147483648);")
+    log = box.run("timeout", 120, "acousticDEMFoam", status=1)
+    assert log.count("FOAM FATAL") == 1
+    assert "which is more than the shortest edge of the domain" in log

@@ -253,7 +253,19 @@ void Foam::aerosol::encounterFinder::list
     );
     const scalars& skin = skin_.sizes();
 
-    relative_.requireShort(communicator::sum(p.size()) < 2 ? 0.0 : furthest, h);
+    // Gravity may move them further than their velocities at the start say
+    const vectors displacement = end.x - p.x;
+    const Eigen::Vector3d mean = h*communicator::mean(displacement/h);
+    const scalar most =
+        p.size()
+      ? (displacement.colwise() - mean).colwise().norm().maxCoeff()
+      : 0;
+
+    relative_.requireShort
+    (
+        communicator::sum(p.size()) < 2 ? 0.0 : std::max(furthest, most),
+        h
+    );
     searchContacts(p, skin_.centres(), skin);
     contacts_.keepNeededGhosts();
     contacts_.fillIds(p.id.cast<double>());
