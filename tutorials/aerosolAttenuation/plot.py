@@ -8,6 +8,9 @@ the gas by Stokes' drag, and the gas feels that (Temkin and Dobbins 1966, the
 part of the momentum). A standing wave of the frequency w0 in clean gas has
 
     w^2 (1 + m/(1 - i w tau)) = w0^2,     p ~ exp(-i w t).
+
+Particles act as they move: of those that stand at random, m is the mean with the
+weight 2 sin^2(pi x/length), the square of the gas's velocity over its mean.
 """
 
 import os
@@ -38,6 +41,25 @@ def read(case):
     """Times [s] and pressures [Pa] at the wall."""
     data = runTables.series(case/"postProcessing/history", "p")
     return data[:, 0], data[:, 1]
+
+
+def loading(case):
+    """Mass of the particles per mass of gas, as the standing wave feels it."""
+    file = case/"0/lagrangian/aerosol/position"
+    if not file.exists():
+        runTables.fail(f"there is no {file}: has the case been run?")
+    content = file.read_bytes()
+    size = re.search(rb"^(\d+)\s*\(", content, re.M)
+    n = int(size[1])
+    if re.search(rb"format\s+binary", content):
+        places = np.frombuffer(content, float, 3*n, size.end())
+    else:
+        text = re.sub(rb"[()]", b" ", content[size.end():])
+        places = np.array(text.split()[:3*n], float)
+
+    numbers = tube(case)
+    wave = np.sin(np.pi*places[::3]/numbers["length"])
+    return numbers["massLoading"]*2*np.mean(wave**2)
 
 
 def frequencies(w0, m, tau):
@@ -90,7 +112,7 @@ def analyse(case, w0=None):
 
     s = numbers["omegaTau"]
     tau = s/(2*np.pi*numbers["frequency"])
-    w, decay = frequencies(w0, numbers["massLoading"], tau)
+    w, decay = frequencies(w0, loading(case), tau)
     return measure(t[late], p[late], w, decay), w
 
 
@@ -104,7 +126,7 @@ def main():
     if not runs:
         runTables.fail(f"there are no runs in {HERE}: ./Allrun makes them")
     w0 = analyse(HERE/"clean")
-    m = tube(HERE)["massLoading"]
+    m = loading(runs[0])
 
     print("omega tau   damping per period [%]    change of frequency [%]\n"
           "              computed  theory          computed  theory")

@@ -27,18 +27,18 @@ def load():
 
 def run(
     directory, s, m, steps=200, periods=10, cells=25, drag="Stokes",
-    sound="compressible"
+    sound="compressible", places=(np.arange(N) + 0.5)/N
 ):
     """A tube with an aerosol, or without an effect of it if m is 0."""
     case = AerosolCase(directory, ROOT/"tutorials/aerosolAttenuation")
     case.entry("system/tube", "omegaTau", s)
     case.entry("system/tube", "massLoading", m or 0.1)
-    case.entry("system/tube", "count", N)
+    case.entry("system/tube", "count", len(places))
     if not m:
         case.entry("system/tube", "coupling", "none")
     d = np.sqrt(18*1.81e-5*s/(2*np.pi*1400*2300))
     case.particles(
-        [(((i + 0.5)/N*LENGTH, 5e-3, 5e-3), d) for i in range(N)],
+        [((x*LENGTH, 5e-3, 5e-3), d) for x in places],
         density="$particleDensity",
     )
     case.model("drag", f"type {drag}; slipCorrection none;")
@@ -115,6 +115,40 @@ def test_is_that_of_Temkin_and_Dobbins(
     )
     assert abs(damping) < 0.02
     assert abs(dispersion) < 0.02
+
+
+def error(clean, directory, steps, cells, **more):
+    """Of attenuation and change of frequency, at omega tau = 1."""
+    w0 = clean("compressible", steps, cells)
+    case = run(directory, 1, 0.1, steps, cells=cells, **more)
+    w, exact = load().analyse(case.path, w0)
+    return np.array([
+        (w.imag - w0.imag)/(exact.imag - w0.imag) - 1,
+        (w.real - w0.real)/(exact.real - w0.real) - 1,
+    ])
+
+
+def test_error_is_of_second_order(tmp_path, clean):
+    """Of the cells and of the steps: the coupling adds no lag to the sound."""
+    coarse = error(clean, tmp_path/"coarse", 100, 12)
+    fine = error(clean, tmp_path/"fine", 200, 24)
+    print(f"errors {coarse} and, with half the cells and steps, {fine}")
+    assert coarse/fine == pytest.approx([4, 4], abs=0.4)
+
+
+def test_particles_count_where_the_gas_moves(tmp_path, clean):
+    """With more of them in the middle the wave feels more than their mass."""
+    dense = 0.2
+    x = np.linspace(0, 1, 1001)
+    share = x - dense*np.sin(2*np.pi*x)/(2*np.pi)
+    places = np.interp((np.arange(5*N) + 0.5)/(5*N), share, x)
+
+    even = error(clean, tmp_path/"even", 100, 24)
+    uneven = error(clean, tmp_path/"uneven", 100, 24, places=places)
+    loading = load().loading(tmp_path/"uneven")
+    print(f"loading {loading:.4f}: errors {uneven}, of an even one {even}")
+    assert loading == pytest.approx(0.1*(1 + dense/2), rel=1e-4)
+    assert uneven == pytest.approx(even, abs=0.001)
 
 
 def test_linear_theory_of_small_loadings():
