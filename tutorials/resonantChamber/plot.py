@@ -79,7 +79,8 @@ if not log.exists():
     runTables.fail(f"there is no {log}: has the case been run?")
 history = np.array(
     re.findall(
-        r"^Level, period (\d+): ([-+.\de]+) dB at .*, drive ([-+.\de]+) ",
+        r"^Level, period (\d+): (?:below )?([-+.\de]+) dB at .*,"
+        r" drive ([-+.\de]+) ",
         log.read_text(), re.M,
     ),
     dtype=float,

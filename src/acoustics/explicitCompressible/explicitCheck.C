@@ -21,7 +21,34 @@ constexpr double minCellsPerWavelength = 20;
 } // End anonymous namespace
 
 
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::acoustics::explicitCheck::explicitCheck
+(
+    const fvMesh& mesh,
+    const scalar frequency,
+    const scalar soundSpeed,
+    const label parts,
+    const scalar courantOfPart
+)
+:
+    numericsCheck(mesh, frequency, soundSpeed),
+    parts_(parts),
+    courantOfPart_(courantOfPart)
+{}
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+std::string Foam::acoustics::explicitCheck::courant() const
+{
+    std::ostringstream os;
+    os  << parts_ << (parts_ == 1 ? " part" : " parts")
+        << " per fluid step, acoustic Courant number " << courantOfPart_;
+
+    return os.str();
+}
+
 
 void Foam::acoustics::explicitCheck::warn() const
 {

@@ -114,11 +114,14 @@ void Foam::acoustics::explicitCompressibleSound::checkLaminar() const
 }
 
 
+Foam::scalar Foam::acoustics::explicitCompressibleSound::courant() const
+{
+    return fastest_*finest_*mesh_.time().deltaTValue();
+}
+
+
 Foam::label Foam::acoustics::explicitCompressibleSound::parts() const
 {
-    const scalar courant =
-        fastest_*finest_*mesh_.time().deltaTValue()/maxCourant;
-
     // Diffusion: the explicit limit, 2/(4 sum 1/h^2), is far for sound
     const centralFluxes::gas& gas = fluxes_.properties();
     const scalar diffusivity = max
@@ -129,7 +132,10 @@ Foam::label Foam::acoustics::explicitCompressibleSound::parts() const
     const scalar diffusion =
         2*diffusivity*sqr(finest_)*mesh_.time().deltaTValue();
 
-    return label(std::ceil(max(courant, diffusion)*(1 - 1e-9)));
+    return label
+    (
+        std::ceil(max(courant()/maxCourant, diffusion)*(1 - 1e-9))
+    );
 }
 
 
@@ -404,8 +410,6 @@ Foam::acoustics::explicitCompressibleSound::explicitCompressibleSound
 
     checkLaminar();
 
-    explicitCheck(mesh, frequency(), gas().c).report();
-
     for (int k = 0; k < 5; ++k)
     {
         // Ghosts that are not filled are gas too
@@ -465,6 +469,13 @@ Foam::acoustics::explicitCompressibleSound::explicitCompressibleSound
     stencils_.exchange(q_);
     boundary_.fill(0, q_);
     store();
+
+    mostParts_ = max(parts(), label(1));
+
+    explicitCheck
+    (
+        mesh, frequency(), gas().c, mostParts_, courant()/mostParts_
+    ).report();
 }
 
 
@@ -478,9 +489,8 @@ void Foam::acoustics::explicitCompressibleSound::step()
 
     if (n > mostParts_)
     {
-        Info<< "    " << n << (n == 1 ? " part" : " parts")
-            << " per fluid step, acoustic Courant number "
-            << fastest_*finest_*duration << endl;
+        Info<< "    " << n << " parts per fluid step from now on, acoustic"
+            << " Courant number " << courant()/n << endl;
         mostParts_ = n;
     }
 

@@ -314,20 +314,35 @@ void Foam::acoustics::levelControl::control()
         unit < VSMALL || std::abs(driveOfUnit_ - lastUnit) > 2e-3*unit;
     nStarted_ = starting ? 0 : nStarted_ + 1;
 
-    Info<< "Level, period " << label(std::lround(p_.end()*frequency_)) << ": "
-        << level << " dB at "
-        << (point_ ? point_->position() : loudest.place)
+    // Before the sound arrives there is but rounding
+    const bool silent = level < 0;
+
+    Info<< "Level, period " << label(std::lround(p_.end()*frequency_)) << ": ";
+
+    if (silent)
+    {
+        Info<< "below 0";
+    }
+    else
+    {
+        Info<< level;
+    }
+
+    Info<< " dB at " << (point_ ? point_->position() : loudest.place)
         << ", drive " << std::abs(now.drive)
         << (drivesVelocity() ? " m/s" : " Pa");
 
-    if (unit > VSMALL)
+    if (!silent)
     {
-        Info<< ", phase "
-            << degrees(std::arg(response.back()*std::conj(driveOfUnit_)))
-            << " deg";
-    }
+        if (unit > VSMALL)
+        {
+            Info<< ", phase "
+                << degrees(std::arg(response.back()*std::conj(driveOfUnit_)))
+                << " deg";
+        }
 
-    Info<< ", change " << 100*change << " %";
+        Info<< ", change " << 100*change << " %";
+    }
 
     if (starting || nStarted_ < crossing_ || response.size() < 3)
     {

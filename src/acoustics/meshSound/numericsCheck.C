@@ -9,6 +9,8 @@
 #include "surfaceFields.H"
 #include "syncTools.H"
 
+#include <sstream>
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
@@ -117,6 +119,15 @@ Foam::acoustics::numericsCheck::numericsCheck
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
+std::string Foam::acoustics::numericsCheck::courant() const
+{
+    std::ostringstream os;
+    os  << "acoustic Courant number " << acousticCourant_;
+
+    return os.str();
+}
+
+
 void Foam::acoustics::numericsCheck::warnOfRefinement(const char* what) const
 {
     if (nUnequal_)
@@ -136,9 +147,8 @@ void Foam::acoustics::numericsCheck::report() const
 {
     Info<< "    resolution: " << stepsPerPeriod_
         << " steps per period (k_f = deltaT/T_a = " << 1/stepsPerPeriod_
-        << "), " << cellsPerWavelength_
-        << " cells per wavelength, acoustic Courant number "
-        << acousticCourant_ << endl;
+        << "), " << cellsPerWavelength_ << " cells per wavelength, "
+        << courant().c_str() << endl;
 
     warn();
 }
