@@ -109,16 +109,32 @@ void Foam::aerosol::setupCheck::checkSound() const
     const scalars tau = particleLaws::relaxationTime(particles_);
     const scalar s1 = min(omega*tau.minCoeff(), 1e8);
     const scalar s2 = min(omega*tau.maxCoeff(), 1e8);
-    const scalar u12 =
-        sound_.velocityAmplitude()*(s2 - s1)/sqrt((1 + s1*s1)*(1 + s2*s2));
-    const scalar displacement = 2*u12/omega;
+    const scalar share = (s2 - s1)/sqrt((1 + s1*s1)*(1 + s2*s2));
+
+    // That of a domain that moves is not the same all the way
+    const scalar amplitude =
+        dict_.found("frame")
+      ? sound_.expectedAmplitude()
+      : sound_.amplitude(time_.value());
+    const scalar displacement = 2*max(amplitude, scalar(0))*share/omega;
     const scalar layer = sqrt(2*sound_.gas().nu()/omega);
 
     std::ostringstream os;
     os  << "Fluid steps per period " << steps << " (k_f = " << 1/steps
-        << ")\nRelative displacement of the smallest and the largest particle "
-        << displacement << " m (peak to peak), Stokes layer " << layer
-        << " m, shortest edge of the domain " << shortest << " m";
+        << ")\nRelative displacement of the smallest and the largest particle ";
+
+    if (amplitude >= 0)
+    {
+        os  << displacement << " m (peak to peak) where the gas oscillates"
+            << " with " << amplitude << " m/s";
+    }
+    else
+    {
+        os  << "not known, since the level of the sound is not";
+    }
+
+    os  << ", Stokes layer " << layer << " m, shortest edge of the domain "
+        << shortest << " m";
 
     Info<< os.str().c_str() << nl;
 

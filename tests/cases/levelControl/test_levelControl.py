@@ -196,6 +196,19 @@ def test_near_resonance_with_losses(tmp_path):
     assert settled < 3*quality
 
 
+def test_no_sound_has_no_level(tmp_path):
+    """In the first period it does not reach the other end of the chamber."""
+    case = FoamCase("resonantChamber", tmp_path/"case")
+    case.replace("system/controlDict", r"80\.0/", "2.0/")
+    case.run("blockMesh")
+    lines = re.findall("^Level, .*", case.run("acousticDEMFoam"), re.M)
+    assert re.fullmatch(
+        r"Level, period 1: below 0 dB at \(0\.25 0 0\.0025\), drive"
+        rf" {NUMBER} m/s; the sources start", lines[0],
+    )
+    assert 80 < history("\n".join(lines))[0, 0] < 120
+
+
 def test_refuses_a_node(tmp_path):
     node = LENGTH - np.pi/2/K
     case = prepare(

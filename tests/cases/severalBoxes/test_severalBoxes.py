@@ -267,6 +267,25 @@ def test_each_has_its_own_region_of_solved_sound(tmp_path):
     assert ratio == pytest.approx(np.sin(np.pi*0.03/0.1226), rel=0.01)
 
 
+def test_each_says_how_the_gas_oscillates_there(tmp_path):
+    case = AerosolCase(tmp_path/"case", ROOT/"tutorials"/"antinodeAndNode")
+    case.run("blockMesh")
+    log = case.run("acousticDEMFoam", "-dry-run")
+    places = re.findall(r"centre \( (\S+)", log)
+    lines = re.findall(
+        r"^Relative displacement .* particle (\S+) m \(peak to peak\) where the"
+        r" gas oscillates with (\S+) m/s", log, re.M,
+    )
+    x = np.array(places, float)
+    displacement, u0 = np.array(lines, float).T
+    assert len(u0) == len(x) == 5
+
+    wave = np.sin(np.pi*x/0.12258)
+    print(u0, wave)
+    assert u0/u0[0] == pytest.approx(wave/wave[0], abs=1e-3)
+    assert displacement/displacement[0] == pytest.approx(u0/u0[0], abs=1e-4)
+
+
 def test_a_file_without_header_is_not_passed_over(box):
     text = (box.path/"constant/aerosolProperties").read_text()
     box.write("constant/aerosolProperties", text[text.index("domain"):])

@@ -243,3 +243,4 @@ def test_warns_of_coarse_cells_and_divides_steps_explicitly(tmp_path):
     # c T/10 are 1.6 of 16 cells per wavelength: two parts of 0.8
     assert "frequency that is 0.079" in log
     assert "2 parts per fluid step, acoustic Courant number 0.7999" in log
+    assert log.count("Courant") == 1
