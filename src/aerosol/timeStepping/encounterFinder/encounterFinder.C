@@ -454,7 +454,14 @@ Foam::aerosol::encounters Foam::aerosol::encounterFinder::find
             const pathSphere one = sphereOfOwn(i);
             middle.col(i) = one.middle;
             reach(i) = one.radius;
-            furthest = std::max(furthest, 2*(one.middle - p.x.col(i)).norm());
+
+            // Those that are alike all bend away from their chords together
+            const Eigen::Vector3d chord = 2*(one.middle - p.x.col(i));
+            const double bulge = pathSphere::bulge
+            (
+                start.col(i) - mean, chord, final.col(i) - mean, h
+            );
+            furthest = std::max({furthest, chord.norm(), bulge});
         }
 
         // Less the mean displacement since the last migration, which brings no
