@@ -9,7 +9,7 @@ from aerosolcase import AerosolCase
 ROOT = Path(__file__).resolve().parents[2]
 
 
-# Memory that was given back is overwritten: who goes on using it is found out
+# Memory that was given back is overwritten, so that its further use shows
 os.environ.setdefault("MALLOC_PERTURB_", "85")
 
 

@@ -129,15 +129,14 @@ def test_ranks(tmp_path, whole, scribble, shared):
     assert off < 1e-6
 
 
-@pytest.mark.parametrize("shift", [-1e-6, 1e-6])
 @pytest.mark.parametrize("stepping", [
-    "type eventDriven;", "type multipleTimeStep; kp 0.5; kc 0.1;",
-    "type conventional; kc 0.1;",
+    "type multipleTimeStep; kp 0.5; kc 0.1;", "type conventional; kc 0.1;",
 ])
-def test_a_particle_changes_its_rank(tmp_path, scribble, stepping, shift):
-    """It oscillates, by 2.7 um, across the middle of the tube."""
+def test_a_particle_changes_its_rank(tmp_path, scribble, stepping):
+    """It oscillates, by 2.7 um, across the middle of the tube; with these two a
+    particle migrates within the step."""
     def make(name):
-        case = prepare(tmp_path/name, 1, N + 1, shift)
+        case = prepare(tmp_path/name, 1, N + 1, -1e-6)
         case.model("timeStepping", stepping)
         return case
 
