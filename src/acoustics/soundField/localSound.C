@@ -7,6 +7,7 @@
 
 #include "mathematicalConstants.H"
 
+#include <algorithm>
 #include <cmath>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -19,6 +20,9 @@ constexpr int nSolved = 3;
 
 //- Half of the distance of central differences, in wavelengths at most
 constexpr double longestStep = 0.005;
+
+//- What a displacement may change without being noticed, in velocity amplitudes
+constexpr double negligible = 1e-12;
 
 } // End anonymous namespace
 
@@ -184,6 +188,17 @@ Foam::acoustics::localSound::at(const scalar t) const
 
         m.oscillation.col(2*k - 2) = gradient*displacement.real();
         m.oscillation.col(2*k - 1) = -gradient*displacement.imag();
+    }
+
+    // At an antinode they are only what rounding leaves
+    if
+    (
+        harmonics.cols()
+     && m.oscillation.cwiseAbs().maxCoeff()
+      < negligible*harmonics.col(0).norm()
+    )
+    {
+        m.oscillation.resize(3, 0);
     }
 
     return m;
@@ -414,29 +429,55 @@ void Foam::acoustics::localSound::velocityAt
 
     const moment& now = at(t);
 
-    for (int k = 1; 2*k <= now.oscillation.cols(); ++k)
+    if (!now.nHarmonics())
     {
-        const double* const a = now.oscillation.data() + 3*(2*k - 2);
-        const double* const b = now.oscillation.data() + 3*(2*k - 1);
-        double* const to = u.data();
+        return;
+    }
 
-        for (Eigen::Index i = 0; i < x.cols(); ++i)
+    constexpr int blockSize = commonVelocity::blockSize;
+    commonVelocity::phasorBlock fundamental;
+    commonVelocity::blocks apart;
+    double* const to = u.data();
+
+    for (Eigen::Index from = 0; from < x.cols(); from += blockSize)
+    {
+        const int size = std::min<Eigen::Index>(blockSize, x.cols() - from);
+
+        fundamental.first.setZero();
+        fundamental.second.setZero();
+        fundamental.first.head(size) = response.segment(from, size).real();
+        fundamental.second.head(size) = response.segment(from, size).imag();
+
+        now.at
+        (
+            commonVelocity::responses(fundamental, now.nHarmonics()), apart
+        );
+
+        for (int l = 0; l < size; ++l)
         {
-            // H/(H + k(1 - H))
-            const double re = response(i).real();
-            const double im = response(i).imag();
-            const double den = re + k*(1 - re);
-            const double more = im*(1 - k);
-            const double share = 1/(den*den + more*more);
-            const double real = share*(re*den + im*more);
-            const double imag = share*(im*den - re*more);
-
             for (int c = 0; c < 3; ++c)
             {
-                to[3*i + c] += real*a[c] + imag*b[c];
+                to[3*(from + l) + c] = apart[c](l);
             }
         }
     }
+}
+
+
+std::optional<Foam::acoustics::commonVelocity>
+Foam::acoustics::localSound::commonAt(const scalar t) const
+{
+    if
+    (
+        !representative_
+     || frequency() <= 0
+     || !sound_.harmonics(region_, centre(t))
+    )
+    {
+        return std::nullopt;
+    }
+
+    return at(t);
 }
 
 

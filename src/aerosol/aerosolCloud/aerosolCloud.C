@@ -97,6 +97,7 @@ Foam::aerosol::aerosolCloud::aerosolCloud
     if (fragmentation_.active())
     {
         cloudModels::warnOfIdle(dict_);
+        timeStepping_->observe();
     }
 
     collisions_.breakBy(fragmentation_.model());
@@ -264,7 +265,7 @@ void Foam::aerosol::aerosolCloud::prepareFrame(const dictionary& state)
 Foam::aerosol::particleArrays
 Foam::aerosol::aerosolCloud::inChamber() const
 {
-    particleArrays all = decomposition::gather(particles_);
+    particleArrays all = decomposition::gather(timeStepping_->now(particles_));
 
     frame_->leave(all, reached_);
 
@@ -381,6 +382,7 @@ Foam::dictionary Foam::aerosol::aerosolCloud::state() const
 void Foam::aerosol::aerosolCloud::couple(gasReaction& reaction)
 {
     domainCheck_.requireCoupling(*frame_);
+    timeStepping_->observe();
 
     coupling_.reset
     (
@@ -532,7 +534,7 @@ std::string Foam::aerosol::aerosolCloud::effort() const
 bool Foam::aerosol::aerosolCloud::writeObject(WRITE_OBJECT_ARGUMENTS) const
 {
     cloudFiles::inFrame inFrame;
-    particleArrays all = decomposition::gather(particles_);
+    particleArrays all = decomposition::gather(timeStepping_->now(particles_));
 
     if (frame_->moves())
     {

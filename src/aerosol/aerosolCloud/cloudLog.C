@@ -91,6 +91,19 @@ std::string Foam::aerosol::cloudLog::effort
             << moved/max(done.particleSteps, 1.0) << " particles";
     }
 
+    if (done.looksAhead > 0)
+    {
+        os  << "\n    ahead     " << done.stepsAhead/done.looksAhead
+            << " fluid steps at a time, in which "
+            << communicator::sum(done.busyMoves)/max(done.stepsAhead, 1.0)
+            << " particles were busy";
+    }
+
+    if (done.lists > 0)
+    {
+        os  << "\n    lists     every " << n/done.lists << " fluid steps";
+    }
+
     if (done.collisionSteps > 0)
     {
         os  << "\n    collision " << fluidStep*n/done.collisionSteps << " s, "

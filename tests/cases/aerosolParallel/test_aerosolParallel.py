@@ -119,6 +119,38 @@ def test_ranges_by_default(tmp_path, meshed):
     assert_same(*clouds)
 
 
+@pytest.mark.parametrize("wake, drag", [
+    ("type none;", "type SchillerNaumann; slipCorrection Cunningham;"),
+    ("type Oseen; range 20;", "type Stokes; slipCorrection Cunningham;"),
+])
+def test_where_most_particles_rest(tmp_path, meshed, wake, drag):
+    """A thin aerosol, in which eventDriven looks ahead."""
+    clouds = []
+
+    for ranks in (1, 2, 3):
+        case = AerosolCase(tmp_path/f"ranks{ranks}", meshed)
+        case.model("timeStepping", STEPPINGS["eventDriven"])
+        case.model("wake", wake)
+        case.model("drag", drag)
+        case.aerosol("length", "(2e-3 1.4e-3 1.6e-3)")
+        case.aerosol("numberConcentration", "3e11")
+        case.control("stepsPerPeriod", "50")
+        case.control("endTime", "#eval{ 6.0/$frequency }")
+        case.replace(
+            "constant/aerosolProperties", "domain",
+            "report { contacts yes; }\n\ndomain",
+        )
+        clouds.append(run_on(case, ranks))
+
+        log = "".join(file.read_text() for file in case.path.glob("log*"))
+        assert "    ahead     " in log
+
+    for other in clouds[1:]:
+        assert_same(clouds[0], other)
+
+    assert dict(clouds[0][1])["contacts.dat"].count("stick ") > 0
+
+
 @pytest.mark.parametrize("stepping", ["eventDriven", "multipleTimeStep"])
 def test_bounces(tmp_path, meshed, stepping):
     """A fifth of those that touch stick, at random; the others bounce."""

@@ -112,6 +112,39 @@ def test_continues(tmp_path, meshed, writeFormat, wake, bounces):
     same_tables(whole, parts, start)
 
 
+def test_continues_where_most_particles_rest(tmp_path, meshed):
+    """A thin aerosol, in which eventDriven looks ahead: over times of writing
+    and rows of tables, which come in between."""
+    cases = []
+    for name in ("whole", "parts"):
+        case = AerosolCase(tmp_path/name, meshed)
+        case.aerosol("length", "1.6e-3")
+        case.aerosol("numberConcentration", "3e11")
+        case.model("timeStepping", "type eventDriven;")
+        case.model("wake", "type Oseen; range 20;")
+        case.control("deltaT", repr(STEP))
+        case.control("timePrecision", "16")
+        case.control("writeInterval", "73")
+        case.control("endTime", repr(292*STEP))
+        case.replace(
+            "constant/aerosolProperties", "domain",
+            f"report {{ interval {7*STEP!r}; }}\n\ndomain",
+        )
+        cases.append(case)
+
+    whole, parts = cases
+    assert "    ahead     " in whole.run("acousticDEMFoam")
+
+    parts.control("endTime", repr(146*STEP))
+    parts.run("acousticDEMFoam")
+    start = float(parts.times()[-1])
+    parts.control("endTime", repr(292*STEP))
+    parts.run("acousticDEMFoam")
+
+    same_clouds(whole, parts)
+    same_tables(whole, parts, start)
+
+
 @pytest.mark.parametrize("precision", ["6", "12"])
 def test_continues_with_few_digits_in_the_names_of_times(
     tmp_path, meshed, precision

@@ -15,12 +15,16 @@ namespace
 
 //- Particles that are worked out together. All take the same instructions,
 //  wherever they are in the block.
-constexpr int blockSize = 64;
+constexpr int blockSize = Foam::acoustics::commonVelocity::blockSize;
 
-using block = Eigen::Array<double, blockSize, 1>;
+using block = Foam::acoustics::commonVelocity::block;
+using blocks = Foam::acoustics::commonVelocity::blocks;
 
-//- The three components of vectors
-using blocks = std::array<block, 3>;
+//- Added to a square: the vector instruction for the root of 0 is undefined
+constexpr double tiny = 1e-60;
+
+// Functions that are not inlined give the same bits wherever they are called:
+// products and sums are not contracted in one place only.
 
 
 //- The columns of v from a first one on, components apart. Zero beyond size,
@@ -89,13 +93,22 @@ void store
 }
 
 
-//- The factors A, B, C of the exact integration, at z = h k
-void integrals(const block& z, block& A, block& B, block& C)
+//- What the exact integration multiplies with
+struct factors
+{
+    block zA, zB, zC, hA, hB, square, cube;
+};
+
+
+//- Of a step of length h with these rates of drag
+[[gnu::noinline]] void integrals(const double h, const block& rate, factors& f)
 {
     // Below the limit the differences cancel; the series are exact to rounding
     constexpr double small = 0.02;
 
+    const block z = h*rate;
     const block decay = (-z).exp();
+    block A, B, C;
 
     for (int l = 0; l < blockSize; ++l)
     {
@@ -114,6 +127,66 @@ void integrals(const block& z, block& A, block& B, block& C)
         B(l) = y < small ? b0 : b;
         C(l) = y < small ? c0 : c;
     }
+
+    f.zA = z*A;
+    f.zB = z*B;
+    f.zC = z*C;
+    f.hA = h*A;
+    f.hB = h*B;
+    f.square = 1 - 2*B;
+    f.cube = 1.0/3 - 2*C;
+}
+
+
+//- Positions x1 and velocities v1 at the end of a step of length h
+[[gnu::noinline]] void integrate
+(
+    const factors& f,
+    const double h,
+    const bool parabola,
+    const blocks& x,
+    const blocks& v,
+    const blocks& a,
+    const blocks& u0,
+    const blocks& um,
+    const blocks& u1,
+    blocks& x1,
+    blocks& v1
+)
+{
+    for (int c = 0; c < 3; ++c)
+    {
+        const block slip = u0[c] - v[c];
+        block change = u1[c] - u0[c];
+
+        block then = v[c] + slip*f.zA + a[c]*f.hA;
+        block mean = v[c] + slip*f.zB + a[c]*f.hB;
+
+        if (parabola)
+        {
+            const block bent = 2*(u0[c] + u1[c] - 2*um[c]);
+
+            change -= bent;
+            then += bent*f.square;
+            mean += bent*f.cube;
+        }
+
+        v1[c] = then + change*f.zB;
+        x1[c] = x[c] + h*(mean + change*f.zC);
+    }
+}
+
+
+//- The slip of particles with these velocities
+[[gnu::noinline]] void slipSpeed(const blocks& u, const blocks& v, block& slip)
+{
+    slip =
+    (
+        (u[0] - v[0]).square()
+      + (u[1] - v[1]).square()
+      + (u[2] - v[2]).square()
+      + tiny
+    ).sqrt();
 }
 
 } // End anonymous namespace
@@ -133,6 +206,20 @@ Foam::aerosol::exponentialStep::exponentialStep
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::aerosol::exponentialStep::rates
+(
+    const block& Stokes,
+    const block& diameter,
+    const block& slip,
+    block& rate
+) const
+{
+    const scalars Re = diameter*slip/gas_.nu();
+
+    rate = Stokes*drag_.factor(Re);
+}
+
 
 void Foam::aerosol::exponentialStep::move
 (
@@ -155,8 +242,9 @@ void Foam::aerosol::exponentialStep::move
 
     // Those beyond the end of the last block: at rest in gas at rest
     block k = block::Zero();
-    scalars Re = scalars::Zero(blockSize);
+    block d = block::Zero();
     blocks x, v, a, forced, u0, um, u1, x1, v1, w0, wm, w1;
+    factors f;
 
     for (int from = 0; from < n; from += blockSize)
     {
@@ -209,73 +297,37 @@ void Foam::aerosol::exponentialStep::move
             }
         }
 
-        block rate = k;
-
-        if (!linear())
+        if (linear())
         {
-            block slip =
+            integrals(h, k, f);
+        }
+        else
+        {
+            d.setZero();
+            std::copy
             (
-                (u0[0] - v[0]).square()
-              + (u0[1] - v[1]).square()
-              + (u0[2] - v[2]).square()
-              + 1e-60
-            ).sqrt();
+                p.mobilityDiameter.data() + i0,
+                p.mobilityDiameter.data() + i0 + size,
+                d.data()
+            );
+
+            block slip, rate;
+            slipSpeed(u0, v, slip);
 
             if (withEnd)
             {
                 load(end.v, i0, size, v1);
 
-                const block slip1 =
-                (
-                    (u1[0] - v1[0]).square()
-                  + (u1[1] - v1[1]).square()
-                  + (u1[2] - v1[2]).square()
-                  + 1e-60
-                ).sqrt();
-
+                block slip1;
+                slipSpeed(u1, v1, slip1);
                 slip = 0.5*(slip + slip1);
             }
 
-            for (int l = 0; l < size; ++l)
-            {
-                Re(l) = p.mobilityDiameter(i0 + l)*slip(l)/gas_.nu();
-            }
-
-            rate *= drag_.factor(Re);
+            rates(k, d, slip, rate);
+            integrals(h, rate, f);
         }
 
-        block A, B, C;
-        const block z = h*rate;
-        integrals(z, A, B, C);
-
-        const block zA = z*A;
-        const block zB = z*B;
-        const block zC = z*C;
-        const block square = 1 - 2*B;
-        const block cube = 1.0/3 - 2*C;
-
-        for (int c = 0; c < 3; ++c)
-        {
-            const block slip = u0[c] - v[c];
-            block change = u1[c] - u0[c];
-
-            v1[c] = v[c] + slip*zA + a[c]*(h*A);
-            block mean = v[c] + slip*zB + a[c]*(h*B);
-
-            if (parabola)
-            {
-                const block bent = 2*(u0[c] + u1[c] - 2*um[c]);
-
-                change -= bent;
-                v1[c] += bent*square;
-                mean += bent*cube;
-            }
-
-            v1[c] += change*zB;
-            mean += change*zC;
-
-            x1[c] = x[c] + h*mean;
-        }
+        integrate(f, h, parabola, x, v, a, u0, um, u1, x1, v1);
 
         store(x1, i0, size, end.x);
         store(v1, i0, size, end.v);
@@ -303,6 +355,155 @@ void Foam::aerosol::exponentialStep::moveAlone
     if (!linear())
     {
         move(h, p, gas, {}, true, end, first);
+    }
+}
+
+
+void Foam::aerosol::exponentialStep::moveAlone
+(
+    const scalar h,
+    const particleArrays& p,
+    const std::vector<commonStep>& steps,
+    const int every,
+    const vectors& x0,
+    const vectors& v0,
+    std::vector<vectors>& x,
+    vectors& v,
+    scalars& furthest,
+    scalars& bulge
+) const
+{
+    const int n = p.size();
+    const int nSteps = static_cast<int>(steps.size());
+
+    int nHarmonics = 0;
+    for (const commonStep& step : steps)
+    {
+        for (const auto* u : {&step.u0, &step.um, &step.u1})
+        {
+            nHarmonics = std::max(nHarmonics, u->nHarmonics());
+        }
+    }
+
+    x.resize(nSteps/every);
+    for (vectors& some : x)
+    {
+        some.resize(3, n);
+    }
+    v.resize(3, n);
+    furthest.resize(n);
+    bulge.resize(n);
+
+    block k, d, furthestSqr, largest;
+    blocks begin, chord;
+    acoustics::commonVelocity::phasorBlock response;
+    blocks xl, vl, a, u0, um, u1, x1, v1;
+    factors f;
+
+    for (int from = 0; from < n; from += blockSize)
+    {
+        const int size = std::min(blockSize, n - from);
+
+        k.setZero();
+        d.setZero();
+        std::copy(p.rate.data() + from, p.rate.data() + from + size, k.data());
+        std::copy
+        (
+            p.mobilityDiameter.data() + from,
+            p.mobilityDiameter.data() + from + size,
+            d.data()
+        );
+
+        response.first.setZero();
+        response.second.setZero();
+        response.first.head(size) = p.response.segment(from, size).real();
+        response.second.head(size) = p.response.segment(from, size).imag();
+
+        const auto responses =
+            acoustics::commonVelocity::responses(response, nHarmonics);
+
+        load(x0, from, size, xl);
+        load(v0, from, size, vl);
+        load(p.acceleration, from, size, a);
+        furthestSqr.setConstant(tiny);
+        largest.setZero();
+
+        if (linear())
+        {
+            integrals(h, k, f);
+        }
+
+        for (int m = 0; m < nSteps; ++m)
+        {
+            const commonStep& step = steps[m];
+
+            if (m % every == 0)
+            {
+                for (int c = 0; c < 3; ++c)
+                {
+                    begin[c] = every*h*(vl[c] - step.begin(c));
+                    chord[c].setZero();
+                }
+            }
+
+            step.u0.at(responses, u0);
+            step.um.at(responses, um);
+            step.u1.at(responses, u1);
+
+            if (linear())
+            {
+                integrate(f, h, true, xl, vl, a, u0, um, u1, x1, v1);
+            }
+            else
+            {
+                block slip, slip1, rate;
+
+                slipSpeed(u0, vl, slip);
+                rates(k, d, slip, rate);
+                integrals(h, rate, f);
+                integrate(f, h, true, xl, vl, a, u0, um, u1, x1, v1);
+
+                slipSpeed(u1, v1, slip1);
+                slip = 0.5*(slip + slip1);
+                rates(k, d, slip, rate);
+                integrals(h, rate, f);
+                integrate(f, h, true, xl, vl, a, u0, um, u1, x1, v1);
+            }
+
+            block moved = block::Zero();
+            for (int c = 0; c < 3; ++c)
+            {
+                const block way = x1[c] - xl[c] - step.displacement(c);
+                chord[c] += way;
+                moved += way.square();
+            }
+            furthestSqr = furthestSqr.max(moved);
+
+            xl.swap(x1);
+            vl.swap(v1);
+
+            if ((m + 1) % every == 0)
+            {
+                store(xl, from, size, x[(m + 1)/every - 1]);
+
+                // That of Hermite's cubic
+                block before = block::Constant(tiny);
+                block after = block::Constant(tiny);
+                for (int c = 0; c < 3; ++c)
+                {
+                    before += (begin[c] - chord[c]).square();
+                    after +=
+                        (every*h*(vl[c] - step.end(c)) - chord[c]).square();
+                }
+                largest =
+                    largest.max(4.0/27*(before.sqrt() + after.sqrt()));
+            }
+        }
+
+        store(vl, from, size, v);
+        bulge.segment(from, size) = largest.head(size);
+
+        furthest.segment(from, size) = furthestSqr.head(size).sqrt();
     }
 }
 

@@ -35,6 +35,18 @@ Foam::aerosol::stepValues Foam::aerosol::gasSampler::at
     const scalar h = step.h;
     stepValues gas;
 
+    // Where all places are alike, they need not be known
+    if (sound_.alike())
+    {
+        sound_.velocityAt(step.t, x, response, gas.u0);
+        sound_.velocityAt(step.t + h, x, response, gas.u1);
+        if (parabola)
+        {
+            sound_.velocityAt(step.t + 0.5*h, x, response, gas.um);
+        }
+        return gas;
+    }
+
     // Sample outside positions at their wrapped place
     domain_.confine(x);
 

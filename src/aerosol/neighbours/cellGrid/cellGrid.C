@@ -17,20 +17,22 @@ using block = Eigen::Array<double, lot, 1>;
 //- Further away than anything, but with a finite square
 constexpr double farAway = 1e100;
 
+//- Sizes of reach, each half of the one before, that have grids of their own
+constexpr int nLevels = 6;
+
 } // End anonymous namespace
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class Visitor>
-void Foam::aerosol::cellGrid::visit
+void Foam::aerosol::cellGrid::visitAround
 (
-    const int own,
+    const std::array<double, 3>& centre,
     const double radius,
     Visitor&& visitor
-)
+) const
 {
-    const std::array<double, 3> centre{x_[0][own], x_[1][own], x_[2][own]};
     const double radiusSqr = radius*radius;
 
     // A little more, lest rounding hides a particle on the face of a cell
@@ -44,9 +46,6 @@ void Foam::aerosol::cellGrid::visit
         lo[k] = cellIndex(centre[k] - r, k);
         hi[k] = cellIndex(centre[k] + r, k);
     }
-
-    // It does not find itself: almost all looks are in vain, and quick
-    x_[0][own] = farAway;
 
     for (int cx = lo[0]; cx <= hi[0]; ++cx)
     {
@@ -81,7 +80,22 @@ void Foam::aerosol::cellGrid::visit
             }
         }
     }
+}
 
+
+template<class Visitor>
+void Foam::aerosol::cellGrid::visit
+(
+    const int own,
+    const double radius,
+    Visitor&& visitor
+)
+{
+    const std::array<double, 3> centre{x_[0][own], x_[1][own], x_[2][own]};
+
+    // It does not find itself: almost all looks are in vain, and quick
+    x_[0][own] = farAway;
+    visitAround(centre, radius, visitor);
     x_[0][own] = centre[0];
 }
 
@@ -159,49 +173,108 @@ void Foam::aerosol::cellGrid::touching
 (
     const int n,
     const scalars& id,
-    std::vector<particlePair>& pairs
+    std::vector<particlePair>& pairs,
+    const bool shared
 )
 {
     pairs.clear();
 
+    const int all = static_cast<int>(index_.size());
+
+    if (all == 0)
+    {
+        return;
+    }
+
+    // Those of a large reach are few. Each particle looks among those of its
+    // own level and of larger ones, no further than these reach.
+    const double largest = *std::max_element(reach_.begin(), reach_.end());
+
+    std::vector<int> level(all);
+    std::array<std::vector<int>, nLevels> members;
+    std::array<double, nLevels> furthest{};
+
+    for (int place = 0; place < all; ++place)
+    {
+        int l = 0;
+        for (double r = 2*reach_[place]; l + 1 < nLevels && r < largest; r *= 2)
+        {
+            ++l;
+        }
+
+        level[place] = l;
+        members[l].push_back(place);
+        furthest[l] = std::max(furthest[l], reach_[place]);
+    }
+
+    std::array<cellGrid, nLevels> grids;
+
+    for (int l = 0; l < nLevels; ++l)
+    {
+        const int n = static_cast<int>(members[l].size());
+
+        vectors x(3, n);
+        scalars reach(n);
+
+        for (int m = 0; m < n; ++m)
+        {
+            const int place = members[l][m];
+
+            x.col(m) << x_[0][place], x_[1][place], x_[2][place];
+            reach(m) = reach_[place];
+        }
+
+        grids[l].build(x, reach);
+    }
+
     // In the order of the grid: neighbours are next to one another in memory
-    for (int own = 0; own < static_cast<int>(index_.size()); ++own)
+    for (int own = 0; own < all; ++own)
     {
         const double reach = reach_[own];
 
-        // The one with the larger reach looks for the other one
-        visit
-        (
-            own,
-            2*reach,
-            [&](const int other, const double distanceSqr)
+        for (int l = 0; l <= level[own]; ++l)
+        {
+            const cellGrid& grid = grids[l];
+
+            if (members[l].empty())
             {
-                const double sum = reach + reach_[other];
-
-                if
-                (
-                    distanceSqr > sum*sum
-                 || reach_[other] > reach
-                 || (reach_[other] == reach && index_[other] < index_[own])
-                )
-                {
-                    return;
-                }
-
-                int i = index_[own];
-                int j = index_[other];
-
-                if (id(j) < id(i))
-                {
-                    std::swap(i, j);
-                }
-
-                if (i < n && id(i) != id(j))
-                {
-                    pairs.push_back({i, j, {}});
-                }
+                continue;
             }
-        );
+
+            grid.visitAround
+            (
+                {x_[0][own], x_[1][own], x_[2][own]},
+                reach + furthest[l],
+                [&](const int found, const double distanceSqr)
+                {
+                    const int other = members[l][grid.index_[found]];
+                    const double sum = reach + reach_[other];
+
+                    // Two of the same level find one another
+                    if
+                    (
+                        distanceSqr > sum*sum
+                     || (l == level[own] && other <= own)
+                    )
+                    {
+                        return;
+                    }
+
+                    int i = index_[own];
+                    int j = index_[other];
+
+                    if (id(j) < id(i))
+                    {
+                        std::swap(i, j);
+                    }
+
+                    if ((i < n || (shared && j < n)) && id(i) != id(j))
+                    {
+                        pairs.push_back({i, j, {}});
+                    }
+                }
+            );
+        }
     }
 }
 

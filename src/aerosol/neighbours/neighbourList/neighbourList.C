@@ -97,6 +97,87 @@ void Foam::aerosol::neighbourList::fillIds(const scalars& id)
 }
 
 
+void Foam::aerosol::neighbourList::findActing
+(
+    cellGrid& grid,
+    const scalars& id,
+    const verletSkin& skin,
+    const scalars& range,
+    neighbourList& touching
+)
+{
+    vectors x = skin.centres();
+    vectors extent = skin.extents();
+    scalars size = skin.sizes();
+    scalars ranges = range;
+    scalars ids = id;
+
+    ghosts_.build
+    (
+        x, extent.colwise().norm().transpose().array() + size + range, true
+    );
+    ghosts_.fill
+    ({
+        {x, ghosts_, true}, {extent, ghosts_, false}, {size, ghosts_},
+        {ranges, ghosts_}, {ids, ghosts_}
+    });
+
+    // Where boxes are long, space is squeezed, so that spheres fit them better.
+    // Rounded means are those of micrometres.
+    vectors sizes = vectors::Zero(3, id.size());
+    sizes.row(0) = 1e6*(skin.sizes() + range).matrix().transpose();
+
+    const double meanSize = communicator::mean(sizes)(0) + 1e-6;
+    const Eigen::Array3d squeeze =
+        meanSize/(meanSize + communicator::mean(1e6*skin.extents()).array());
+
+    // About all places of a box, the sphere is the furthest from its centre
+    scalars reaches =
+        (extent.array().colwise()*squeeze).matrix().colwise().norm()
+       .transpose().array()
+      + squeeze.maxCoeff()*(size + ranges);
+
+    vectors squeezed = (x.array().colwise()*squeeze).matrix();
+
+    std::vector<particlePair> found;
+
+    grid.build(squeezed, reaches);
+    grid.touching(ghosts_.n(), ids, found, true);
+
+    // Of each pair, one or both may act on the other
+    const int n = ghosts_.n();
+
+    pairs_.clear();
+    touching.pairs_.clear();
+
+    for (const particlePair& pair : found)
+    {
+        const double gap =
+            verletSkin::beyond
+            (
+                x.col(pair.j) - x.col(pair.i),
+                extent.col(pair.i) + extent.col(pair.j)
+            )
+          - size(pair.i) - size(pair.j);
+
+        if (pair.i < n && ranges(pair.j) > 0 && gap <= ranges(pair.j))
+        {
+            pairs_.push_back(pair);
+        }
+        if (pair.j < n && ranges(pair.i) > 0 && gap <= ranges(pair.i))
+        {
+            pairs_.push_back({pair.j, pair.i, {}});
+        }
+        if (pair.i < n && gap <= 0)
+        {
+            touching.pairs_.push_back(pair);
+        }
+    }
+
+    touching.ghosts_ = ghosts_;
+}
+
+
 void Foam::aerosol::neighbourList::keepNeededGhosts()
 {
     const int n = ghosts_.n();
@@ -118,6 +199,27 @@ void Foam::aerosol::neighbourList::keepNeededGhosts()
         {
             pair.j = n + places[pair.j - n];
         }
+    }
+}
+
+
+void Foam::aerosol::neighbourList::keep
+(
+    std::vector<particlePair> pairs,
+    const std::vector<int>& places,
+    const int left
+)
+{
+    const int n = ghosts_.n();
+
+    pairs_ = std::move(pairs);
+    keepNeededGhosts();
+    ghosts_.renumber(places, left);
+
+    for (particlePair& pair : pairs_)
+    {
+        pair.i = places[pair.i];
+        pair.j = pair.j < n ? places[pair.j] : left + pair.j - n;
     }
 }
 
@@ -152,14 +254,7 @@ void Foam::aerosol::neighbourList::remove
         std::remove_if(pairs_.begin(), pairs_.end(), lost), pairs_.end()
     );
 
-    keepNeededGhosts();
-    ghosts_.renumber(places, left);
-
-    for (particlePair& pair : pairs_)
-    {
-        pair.i = places[pair.i];
-        pair.j = pair.j < n ? places[pair.j] : left + pair.j - n;
-    }
+    keep(std::move(pairs_), places, left);
 }
 
 

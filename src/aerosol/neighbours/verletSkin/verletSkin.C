@@ -169,6 +169,7 @@ double Foam::aerosol::verletSkin::make
     }
 
     centre_ = p.x;
+    extent_.resize(3, 0);
     moved_.setZero();
 
     const double amplitude = frequency > 0 ? 1/(omega*h) : 0;
@@ -242,6 +243,7 @@ bool Foam::aerosol::verletSkin::hold
     const Eigen::Vector3d mean = displacement/h;
     const Eigen::Vector3d after = moved_ + displacement;
 
+    const bool boxes = extent_.cols();
     bool inside = true;
 
     block skin = block::Ones();
@@ -265,6 +267,11 @@ bool Foam::aerosol::verletSkin::hold
             {
                 chord[c](l) = x1(c, i) - p.x(c, i) - displacement(c);
                 off[c](l) = x1(c, i) - centre_(c, i) - after(c);
+                if (boxes)
+                {
+                    off[c](l) =
+                        std::max(0.0, std::abs(off[c](l)) - extent_(c, i));
+                }
                 begin[c](l) = h*(v0(c, i) - mean(c)) - chord[c](l);
                 end[c](l) = h*(v1(c, i) - mean(c)) - chord[c](l);
             }
@@ -298,17 +305,37 @@ bool Foam::aerosol::verletSkin::hold
 }
 
 
+void Foam::aerosol::verletSkin::make
+(
+    const vectors& centres,
+    const vectors& extents,
+    const scalars& sizes
+)
+{
+    centre_ = centres;
+    extent_ = extents;
+    size_ = sizes;
+    moved_.setZero();
+    lasting_ = true;
+    expired_ = false;
+}
+
+
 bool Foam::aerosol::verletSkin::contain
 (
     const particleArrays& p,
     const scalars& displacement
 ) const
 {
-    const scalars off =
-        ((p.x - centre_).colwise() - moved_).colwise().norm().transpose()
-       .array();
+    for (int i = 0; i < p.size(); ++i)
+    {
+        if (!(beyond(i, p.x.col(i)) + displacement(i) <= size_(i)))
+        {
+            return false;
+        }
+    }
 
-    return (off + displacement <= size_).all();
+    return true;
 }
 
 
@@ -316,6 +343,10 @@ void Foam::aerosol::verletSkin::remove(const std::vector<char>& marked)
 {
     aerosol::remove(centre_, marked);
     aerosol::remove(size_, marked);
+    if (extent_.cols())
+    {
+        aerosol::remove(extent_, marked);
+    }
 }
 
 

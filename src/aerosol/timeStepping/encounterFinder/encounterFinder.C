@@ -15,15 +15,10 @@
 namespace
 {
 
-//- In radii: what is added to the sphere of a path, and the distance in which
-//  wakes must be followed closely
-constexpr double margin = 3;
-constexpr double encounter = 5;
+using namespace Foam::aerosol;
 
-//- How far a particle may get in a step, in its displacement without wakes: the
-//  tenth more is for wakes and for the curvature of its path. A pair that gets
-//  within range nevertheless is where hardly anything is left of the wake.
-constexpr double wakeMargin = 1.1;
+//- In radii: the distance in which wakes must be followed closely
+constexpr double encounter = 5;
 
 //- More steps than this are not needed: contact ends the approach. Brownian
 //  motion strays as the root of time, and needs more.
@@ -35,6 +30,58 @@ constexpr int maxBrownianSteps = 1024;
 //  and how far for the choice of the steps
 constexpr double strays = 3;
 constexpr double straysOften = 1.5;
+
+
+//- How far each particle may get in a step, relative to all [m]
+scalars displacements
+(
+    const particleArrays& p,
+    const stepEnd& end,
+    const Eigen::Vector3d& meanDisplacement
+)
+{
+    return
+        encounterFinder::wakeMargin
+       *((end.x - p.x).colwise() - meanDisplacement).colwise().norm()
+       .transpose().array();
+}
+
+
+//- A sphere around the path of a particle of diameter d
+struct spheres
+{
+    const Eigen::Vector3d& displacement;
+    const double h;
+    const bool Brownian;
+
+    pathSphere operator()
+    (
+        const Eigen::Vector3d& x0,
+        const Eigen::Vector3d& v0,
+        const Eigen::Vector3d& x1,
+        const Eigen::Vector3d& v1,
+        const double d,
+        const double strayed
+    ) const
+    {
+        // In the frame of the common motion
+        const Eigen::Vector3d mean = displacement/h;
+
+        return pathSphere
+        (
+            x0,
+            v0 - mean,
+            x1 - x0 - displacement,
+            v1 - mean,
+            h,
+            std::max
+            (
+                (1 + encounterFinder::margin)*0.5*d,
+                0.5*d + (Brownian ? strays*std::sqrt(strayed) : 0.0)
+            )
+        );
+    }
+};
 
 
 //- So many that the distance changes by no more than is to be resolved in one
@@ -108,6 +155,48 @@ void Foam::aerosol::encounterFinder::searchContacts
 }
 
 
+void Foam::aerosol::encounterFinder::sift
+(
+    const neighbourList& candidates,
+    const particleArrays& p,
+    const scalars& reach,
+    const scalars& displacement
+)
+{
+    const int n = p.size();
+
+    ghosts& layer = wakes_.list().layer();
+    std::vector<particlePair>& pairs = wakes_.list().pairs();
+
+    layer = candidates.layer();
+    layer.fill
+    ({
+        {p.x, wakeGhostX_, layer, true},
+        {reach, wakeGhostReach_, layer}
+    });
+
+    pairs.clear();
+
+    for (const particlePair& pair : candidates.pairs())
+    {
+        const bool own = pair.j < n;
+        const double* const xi = p.x.data() + 3*pair.i;
+        const double* const xj =
+            own ? p.x.data() + 3*pair.j : wakeGhostX_.data() + 3*(pair.j - n);
+        const double far =
+            (own ? reach(pair.j) : wakeGhostReach_(pair.j - n))
+          + displacement(pair.i);
+
+        const double r[3] = {xi[0] - xj[0], xi[1] - xj[1], xi[2] - xj[2]};
+
+        if (r[0]*r[0] + r[1]*r[1] + r[2]*r[2] <= far*far)
+        {
+            pairs.push_back(pair);
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::aerosol::encounterFinder::list
@@ -116,6 +205,8 @@ void Foam::aerosol::encounterFinder::list
     const fluidStep& step
 )
 {
+    ++counters_.lists;
+
     const scalar h = step.h;
     const bool Brownian = motion_.noise().active();
 
@@ -223,12 +314,8 @@ void Foam::aerosol::encounterFinder::findWakes
         return;
     }
 
-    const int n = p.size();
-
     const scalars displacement =
-        wakeMargin
-       *((end.x - p.x).colwise() - meanDisplacement).colwise().norm()
-       .transpose().array();
+        displacements(p, end, meanDisplacement);
     const scalars reach = (p.range > 0).select(p.range + displacement, 0);
 
     bool listed = skin_.lasting();
@@ -239,47 +326,46 @@ void Foam::aerosol::encounterFinder::findWakes
         skin_.expire();
     }
 
-    if (!listed)
+    if (listed)
+    {
+        sift(wakeCandidates_, p, reach, displacement);
+    }
+    else
     {
         // Less the mean displacement, as in `find`
         wakes_.search
         (
             grid_, p, p.x.colwise() - skin_.moved(), reach, displacement
         );
-        wakes_.involve(p);
+    }
+
+    wakes_.involve(p);
+}
+
+
+void Foam::aerosol::encounterFinder::findWakes
+(
+    const neighbourList& candidates,
+    const particleArrays& p,
+    const stepEnd& end,
+    const Eigen::Vector3d& meanDisplacement
+)
+{
+    if (!motion_.wakes().active())
+    {
         return;
     }
 
-    ghosts& layer = wakes_.list().layer();
-    std::vector<particlePair>& pairs = wakes_.list().pairs();
+    const scalars displacement =
+        displacements(p, end, meanDisplacement);
 
-    layer = wakeCandidates_.layer();
-    layer.fill
-    ({
-        {p.x, wakeGhostX_, layer, true},
-        {reach, wakeGhostReach_, layer}
-    });
-
-    pairs.clear();
-
-    for (const particlePair& pair : wakeCandidates_.pairs())
-    {
-        const bool own = pair.j < n;
-        const double* const xi = p.x.data() + 3*pair.i;
-        const double* const xj =
-            own ? p.x.data() + 3*pair.j : wakeGhostX_.data() + 3*(pair.j - n);
-        const double far =
-            (own ? reach(pair.j) : wakeGhostReach_(pair.j - n))
-          + displacement(pair.i);
-
-        const double r[3] = {xi[0] - xj[0], xi[1] - xj[1], xi[2] - xj[2]};
-
-        if (r[0]*r[0] + r[1]*r[1] + r[2]*r[2] <= far*far)
-        {
-            pairs.push_back(pair);
-        }
-    }
-
+    sift
+    (
+        candidates,
+        p,
+        (p.range > 0).select(p.range + displacement, 0),
+        displacement
+    );
     wakes_.involve(p);
 }
 
@@ -304,31 +390,7 @@ Foam::aerosol::encounters Foam::aerosol::encounterFinder::find
     // In the frame of the common motion
     const Eigen::Vector3d mean = meanDisplacement/h;
 
-    const auto sphereOf =
-    [&]
-    (
-        const Eigen::Vector3d& x0,
-        const Eigen::Vector3d& v0,
-        const Eigen::Vector3d& x1,
-        const Eigen::Vector3d& v1,
-        const double d,
-        const double strayed
-    )
-    {
-        return pathSphere
-        (
-            x0,
-            v0 - mean,
-            x1 - x0 - meanDisplacement,
-            v1 - mean,
-            h,
-            std::max
-            (
-                (1 + margin)*0.5*d,
-                0.5*d + (Brownian ? strays*std::sqrt(strayed) : 0.0)
-            )
-        );
-    };
+    const spheres sphereOf{meanDisplacement, h, Brownian};
 
     const auto sphereOfOwn = [&](const int i)
     {
@@ -336,15 +398,6 @@ Foam::aerosol::encounters Foam::aerosol::encounterFinder::find
         (
             p.x.col(i), start.col(i), end.x.col(i), final.col(i),
             p.collisionDiameter(i), Brownian ? stray(i) : 0.0
-        );
-    };
-
-    const auto sphereOfGhost = [&](const int c)
-    {
-        return sphereOf
-        (
-            paths_.x0.col(c), paths_.v0.col(c), paths_.x1.col(c),
-            paths_.v1.col(c), paths_.d(c), Brownian ? paths_.ghostStray(c) : 0.0
         );
     };
 
@@ -391,12 +444,52 @@ Foam::aerosol::encounters Foam::aerosol::encounterFinder::find
         searchContacts(p, middle, reach);
     }
 
-    paths_.fill(contacts_.layer(), p, end, h);
+    return find(contacts_, p, end, meanDisplacement, h);
+}
+
+
+Foam::aerosol::encounters Foam::aerosol::encounterFinder::find
+(
+    const neighbourList& candidates,
+    const particleArrays& p,
+    const stepEnd& end,
+    const Eigen::Vector3d& meanDisplacement,
+    const scalar h
+)
+{
+    const int n = p.size();
+    const bool Brownian = motion_.noise().active();
+
+    const vectors& start = stepPaths::begin(p, end);
+    const vectors& final = stepPaths::finish(end);
+
+    paths_.fill(candidates.layer(), p, end, h);
+
+    const scalars& stray = paths_.stray;
+    const spheres sphereOf{meanDisplacement, h, Brownian};
+
+    const auto sphereOfOwn = [&](const int i)
+    {
+        return sphereOf
+        (
+            p.x.col(i), start.col(i), end.x.col(i), final.col(i),
+            p.collisionDiameter(i), Brownian ? stray(i) : 0.0
+        );
+    };
+
+    const auto sphereOfGhost = [&](const int c)
+    {
+        return sphereOf
+        (
+            paths_.x0.col(c), paths_.v0.col(c), paths_.x1.col(c),
+            paths_.v1.col(c), paths_.d(c), Brownian ? paths_.ghostStray(c) : 0.0
+        );
+    };
 
     pairs_.clear();
     std::vector<int> steps;
 
-    for (const particlePair& pair : contacts_.pairs())
+    for (const particlePair& pair : candidates.pairs())
     {
         const int i = pair.i;
         const int j = pair.j;
@@ -471,7 +564,7 @@ Foam::aerosol::encounters Foam::aerosol::encounterFinder::find
 
     counters_.contactPairs += pairs_.size();
 
-    return {contacts_.layer(), contacts_.ghostId(), pairs_, steps};
+    return {candidates.layer(), candidates.ghostId(), pairs_, steps};
 }
 
 

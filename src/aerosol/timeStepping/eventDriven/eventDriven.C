@@ -40,15 +40,16 @@ Foam::aerosol::eventDriven::eventDriven
         wakes_,
         counters_,
         readFraction(dict, "resolution", 0.25)
-    )
+    ),
+    ahead_(with.sound, with.region, with.motion, finder_, counters_)
 {
     requireOnly(dict, {"type", "resolution"});
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::aerosol::eventDriven::advance
+void Foam::aerosol::eventDriven::advanceAll
 (
     particleArrays& p,
     const fluidStep& step
@@ -59,10 +60,60 @@ void Foam::aerosol::eventDriven::advance
         return;
     }
 
-    if (communicator::max(finder_.expired()) > 0)
+    const auto common = ahead_.displacement(p, step);
+    bool looks = common && !observed() && ahead_.tries();
+
+    const auto list = [&]()
     {
         timeStepping::migrate(p);
-        finder_.list(p, step);
+
+        if (looks && !finder_.listLasting(p, step, ahead_.response()))
+        {
+            looks = false;
+            ahead_.pause();
+        }
+        if (!looks)
+        {
+            finder_.list(p, step);
+        }
+    };
+
+    const bool expired = communicator::max(finder_.expired()) > 0;
+
+    if (expired)
+    {
+        list();
+    }
+
+    if (looks && finder_.skin().lasting())
+    {
+        bool begun = ahead_.begin(p, step);
+
+        if (!begun && !expired)
+        {
+            list();
+            begun = looks && ahead_.begin(p, step);
+        }
+
+        bool last = false;
+
+        if (begun && advanceBusy(step, last))
+        {
+            if (last)
+            {
+                endLookAhead(p);
+            }
+            return;
+        }
+
+        if (begun)
+        {
+            endLookAhead(p);
+        }
+        else if (looks)
+        {
+            ahead_.pause();
+        }
     }
 
     const bool contacts = with_.collisions.active();
@@ -73,7 +124,7 @@ void Foam::aerosol::eventDriven::advance
 
     mover_.moveWithoutWakes(step, p, gas, end);
 
-    const Eigen::Vector3d& mean = mover_.meanDisplacement();
+    const Eigen::Vector3d mean = common.value_or(mover_.meanDisplacement());
 
     finder_.findWakes(p, end, mean);
     wakes_.move(step.h, p, gas, true, end);
@@ -98,10 +149,118 @@ void Foam::aerosol::eventDriven::advance
 }
 
 
+bool Foam::aerosol::eventDriven::advanceBusy
+(
+    const fluidStep& step,
+    bool& last
+)
+{
+    particleArrays& p = ahead_.busy();
+    const stepGas gas = sampler_.whenAsked(p, step, true);
+
+    stepEnd end;
+    std::vector<char> absorbed;
+
+    mover_.moveWithoutWakes(step, p, gas, end);
+    ahead_.beginStep(step, end);
+
+    const Eigen::Vector3d& mean = ahead_.displacement();
+
+    finder_.findWakes(ahead_.wakes(), p, end, mean);
+    wakes_.move(step.h, p, gas, true, end);
+
+    if (!ahead_.within(end))
+    {
+        ahead_.abandonStep();
+        return false;
+    }
+
+    if (with_.collisions.active())
+    {
+        absorbed = collide
+        (
+            p,
+            gas,
+            finder_.find(ahead_.contacts(), p, end, mean, step.h),
+            step,
+            0,
+            end
+        );
+    }
+
+    end.accept(p);
+    last = !ahead_.endStep(exchange_.returned(), absorbed);
+
+    return true;
+}
+
+
+void Foam::aerosol::eventDriven::endLookAhead(particleArrays& p)
+{
+    if (!ahead_.running())
+    {
+        return;
+    }
+
+    std::vector<int> returned;
+    std::vector<char> absorbed;
+
+    finder_.move(ahead_.end(p, returned, absorbed));
+
+    if (with_.collisions.active())
+    {
+        finder_.update(p, absorbed, returned);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::aerosol::eventDriven::advance
+(
+    particleArrays& p,
+    const fluidStep& step
+)
+{
+    if (ahead_.running() && ahead_.expected(step))
+    {
+        bool last = false;
+
+        if (advanceBusy(step, last))
+        {
+            count(step);
+
+            if (last)
+            {
+                endLookAhead(p);
+            }
+            return;
+        }
+    }
+
+    endLookAhead(p);
+    advanceAll(p, step);
+}
+
+
 void Foam::aerosol::eventDriven::migrate(particleArrays& p)
 {
+    endLookAhead(p);
     timeStepping::migrate(p);
-    finder_.expire();
+
+    // A restart knows nothing of the steps before, and gives the same bits
+    ahead_.forget();
+    finder_.forget();
+}
+
+
+Foam::aerosol::particleArrays
+Foam::aerosol::eventDriven::now(const particleArrays& p) const
+{
+    particleArrays all = p;
+    ahead_.bring(all);
+
+    return all;
 }
 
 

@@ -37,6 +37,7 @@ Foam::aerosol::timeStepping::timeStepping(const tools& with)
     decomposition_(with.region),
     index_(0),
     sorted_(0),
+    observed_(false),
     with_(with),
     sampler_(with.sound, with.region, with.motion),
     relative_(with.motion, with.region),

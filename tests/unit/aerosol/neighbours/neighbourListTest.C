@@ -15,6 +15,7 @@ Description
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 #include <tuple>
 
@@ -113,6 +114,88 @@ TEST(neighbourList, removesParticlesAsIfItWereListedAnew)
 
     EXPECT_LT(keys(list, id).size(), before.size());
     EXPECT_EQ(keys(list, id), keys(anew, id));
+}
+
+
+TEST(neighbourList, findsWhatActsOrTouchesAboutBoxes)
+{
+    const Eigen::Array3d period(1.0, 1.3, 0.9);
+    const periodicBox box
+    (
+        dictionary(IStringStream("centre (0 0 0); length (1 1.3 0.9);")())
+    );
+
+    testTools::randomNumbers random(5);
+
+    vectors x(3, nParticles);
+    vectors extent(3, nParticles);
+    scalars size(nParticles);
+    scalars range(nParticles);
+    scalars id(nParticles);
+
+    for (int i = 0; i < nParticles; ++i)
+    {
+        x.col(i) = (random.point(0.5).array()*period).matrix();
+        extent.col(i) <<
+            random.uniform(0, 0.2), random.uniform(0, 0.02), 0;
+        size(i) = random.logUniform(0.001, 0.05);
+        range(i) = i % 3 ? random.logUniform(0.002, 0.1) : 0;
+        id(i) = 1000 - i;
+    }
+
+    verletSkin skin;
+    skin.make(x, extent, size);
+
+    cellGrid grid;
+    neighbourList acting(box);
+    neighbourList touching(box);
+    acting.findActing(grid, id, skin, range, touching);
+    touching.fillIds(id);
+    acting.fillIds(id);
+
+    // Every particle against every image of every other one
+    std::multiset<key> act;
+    std::multiset<key> touch;
+
+    for (int i = 0; i < nParticles; ++i)
+    {
+        for (int j = 0; j < nParticles; ++j)
+        {
+            for (int image = 0; i != j && image < 27; ++image)
+            {
+                const Eigen::Array3d m
+                    (image/9 - 1, image/3%3 - 1, image%3 - 1);
+                const Eigen::Array3d r =
+                    (x.col(j) - x.col(i)).array() + m*period;
+
+                double gapSqr = 0;
+                for (int k = 0; k < 3; ++k)
+                {
+                    const double gap =
+                        std::abs(r(k)) - extent(k, i) - extent(k, j);
+                    gapSqr += gap > 0 ? gap*gap : 0;
+                }
+
+                const double gap = std::sqrt(gapSqr) - size(i) - size(j);
+                const key one
+                    (id(i), id(j), int(m(0)), int(m(1)), int(m(2)));
+
+                if (range(j) > 0 && gap <= range(j))
+                {
+                    act.insert(one);
+                }
+                if (id(i) < id(j) && gap <= 0)
+                {
+                    touch.insert(one);
+                }
+            }
+        }
+    }
+
+    EXPECT_EQ(keys(acting, id), act);
+    EXPECT_EQ(keys(touching, id), touch);
+    EXPECT_GT(touch.size(), 20u);
+    EXPECT_GT(act.size(), touch.size());
 }
 
 
