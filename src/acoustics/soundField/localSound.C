@@ -177,6 +177,7 @@ Foam::acoustics::localSound::at(const scalar t) const
     const scalar angle =
         constant::mathematical::twoPi*(periods - std::floor(periods));
 
+    m.nOfSound = static_cast<int>(harmonics.cols());
     m.oscillation.resize(3, 2*harmonics.cols());
 
     for (int k = 1; k <= harmonics.cols(); ++k)

@@ -24,6 +24,9 @@ constexpr double extentMargin = 1.05;
 //- More room than others need is no more than that, in mean distances
 constexpr double mostRestless = 0.5;
 
+//- Of the shortest edge of the domain: how far one may reach
+constexpr double furthestReach = 1;
+
 //- With more neighbours than that, per particle, such lists are not worth while
 constexpr double mostNeighbours = 30;
 
@@ -98,10 +101,27 @@ bool Foam::aerosol::encounterFinder::listLasting
         ).matrix()/meanDistance;
     }
 
-    if (communicator::mean(around).prod() > mostNeighbours)
+    // One that reaches far makes ghosts of all
+    const scalars furthest =
+        extent.colwise().norm().transpose().array() + size + p.range;
+
+    const bool far =
+        communicator::max(n ? furthest.maxCoeff() : 0.0)
+      > furthestReach*domain_.bounds().minDim();
+
+    if (far || communicator::mean(around).prod() > mostNeighbours)
     {
         skin_.expire();
         return false;
+    }
+
+    // Most of them will need it no more
+    for (auto one = restless_.begin(); one != restless_.end(); )
+    {
+        one->second *= 0.5;
+        one =
+            one->second < 0.01*meanDistance ? restless_.erase(one)
+          : std::next(one);
     }
 
     ++counters_.lists;

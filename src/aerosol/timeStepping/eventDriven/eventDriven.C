@@ -139,6 +139,10 @@ void Foam::aerosol::eventDriven::advanceAll
             absorbed = collide(p, gas, found, step, 0, end);
         }
     }
+    else
+    {
+        finder_.move(mean);
+    }
 
     end.accept(p);
 

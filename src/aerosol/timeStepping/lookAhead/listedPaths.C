@@ -64,7 +64,8 @@ double closestSqr
 
     const double s = std::min(1.0, std::max(0.0, -rc/(cc + Foam::VSMALL)));
 
-    return rr + s*(2*rc + s*cc);
+    // Where they meet, rounding may leave less than nothing
+    return std::max(0.0, rr + s*(2*rc + s*cc));
 }
 
 } // End anonymous namespace

@@ -22,6 +22,13 @@ constexpr double intervals = 10;
 constexpr int aheadInWakes = 2;
 constexpr int aheadWithout = 5;
 
+//- With more than these a path may be further from its chord, in an interval,
+//  than a cubic shows
+constexpr int mostHarmonics = 5;
+
+//- The gas of all steps is kept
+constexpr double longestInterval = 40;
+
 //- Of the particles, up to how many may be busy if it is worth while
 constexpr double largestShare = 0.6;
 
@@ -65,7 +72,13 @@ Foam::aerosol::lookAhead::gas(const fluidStep& step) const
 {
     const auto u0 = sound_.commonAt(step.t);
 
-    if (!u0 || motion_.noise().active() || motion_.unsteady().active())
+    if
+    (
+        !u0
+     || u0->nOfSound > mostHarmonics
+     || motion_.noise().active()
+     || motion_.unsteady().active()
+    )
     {
         return std::nullopt;
     }
@@ -121,10 +134,9 @@ std::optional<Eigen::Vector3d> Foam::aerosol::lookAhead::displacement
 
 int Foam::aerosol::lookAhead::every(const fluidStep& step) const
 {
-    return std::max
-    (
-        1, static_cast<int>(1/(intervals*sound_.frequency()*step.h) + 0.01)
-    );
+    const scalar steps = 1/(intervals*sound_.frequency()*step.h) + 0.01;
+
+    return static_cast<int>(std::min(std::max(steps, 1.0), longestInterval));
 }
 
 
@@ -184,7 +196,9 @@ bool Foam::aerosol::lookAhead::expected(const fluidStep& step) const
     }
 
     const commonStep& then = expected_[done_.size()];
-    const double scale = rounding*std::max(sound_.velocityAmplitude(), 0.0);
+    const double scale =
+        rounding
+       *std::max({now->u0.u.norm(), now->um.u.norm(), now->u1.u.norm()});
 
     const auto alike =
     [&]
@@ -293,16 +307,8 @@ void Foam::aerosol::lookAhead::bring(particleArrays& all) const
         return;
     }
 
-    const auto same = [](const commonStep& a, const commonStep& b)
-    {
-        return a.u0 == b.u0 && a.um == b.um && a.u1 == b.u1;
-    };
-
-    const bool known =
-        done_.size() == expected_.size()
-     && std::equal(done_.begin(), done_.end(), expected_.begin(), same);
-
-    if (known)
+    // The gas was what was expected, but for the rounding of times
+    if (done_.size() == expected_.size())
     {
         all.x = x_.back();
         all.v = v_;

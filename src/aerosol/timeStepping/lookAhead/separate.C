@@ -73,8 +73,10 @@ Foam::aerosol::lookAhead::roomLeft(const particleArrays& p) const
     return
         room
       - bulgeMargin*bulge_
-      - ((1 + encounterFinder::margin)*0.5*p.collisionDiameter)
-       .max(encounterFinder::wakeMargin*furthest_);
+      - (
+            (1 + encounterFinder::margin)*0.5*p.collisionDiameter
+          + pathShare*furthest_
+        ).max(encounterFinder::wakeMargin*furthest_);
 }
 
 

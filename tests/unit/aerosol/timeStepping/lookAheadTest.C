@@ -258,4 +258,25 @@ TEST(lookAhead, doesNotDependOnWhoLooksMeanwhile)
 }
 
 
+TEST(lookAhead, followsTwoThatMeetHeadOn)
+{
+    // On one line along the sound: their distance is zero when they meet
+    particleArrays pair = arrays
+    ({
+        {0, 8e-6, 2300, vec(-40e-6, 0, 0), vec::Zero()},
+        {1, 1e-6, 2300, vec(40e-6, 0, 0), vec::Zero()}
+    });
+    pair.x.colwise() += antinode();
+
+    settings s = laws("type none;");
+    s.gravity = "type none;";
+
+    experiment box(pair, vec::Constant(1e-3), s, standing(), antinode());
+    box.run(h, 60);
+
+    EXPECT_EQ(box.count(), 1);
+    EXPECT_GT(box.done().looksAhead, 0);
+}
+
+
 // ************************************************************************* //
