@@ -65,7 +65,7 @@ def save(figure, target):
     figure.savefig(picture, format="png")
     try:
         Image.open(picture).convert("RGB").quantize(
-            256, dither=0  # none
+            256, method=1, dither=0  # rare colours count, too
         ).save(target, format="png", optimize=True)
     except OSError as error:
         fail(f"{target}: {error.strerror}")

@@ -115,8 +115,8 @@ def test_tutorial_has_no_results(tutorial):
 @pytest.mark.parametrize(
     "tool",
     [
-        "format", "lint", "manual", "plotAgglomeration", "renderCloud",
-        "collisionKernels", "setup",
+        "format", "lint", "manual", "plotAgglomeration", "plotSound",
+        "renderCloud", "collisionKernels", "setup",
     ]
 )
 def test_tools_explain_themselves(tool):

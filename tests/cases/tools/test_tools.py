@@ -7,7 +7,6 @@ import io
 import os
 import runpy
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 
@@ -197,26 +196,6 @@ def test_what_is_wrong_is_one_line(results, tool):
     assert "--wrong" in results.run(tool, "--wrong", status=1)
     assert "nowhere" in results.run(tool, "nowhere", status=1)
     assert "third" in results.run(tool, ".", "aerosol", "third", status=1)
-
-
-def test_wrong_arguments_of_renderCloud(results):
-    def said(*arguments):
-        done = subprocess.run(
-            [ROOT/"bin/renderCloud", *arguments], cwd=results.path, text=True,
-            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False,
-        )
-        return results.check(done.stdout, done.returncode, 1)
-
-    assert "has the case been run" in said()
-    assert "--wrong" in said("--wrong")
-    assert "nowhere" in said("nowhere")
-    assert "third" in said(".", "aerosol", "third")
-    for cloud in ("node", "antinode"):
-        file = results.path/"0/lagrangian"/cloud/"d"
-        file.parent.mkdir(parents=True)
-        file.write_text("")
-    for arguments in ((), (".", "anti")):
-        assert said(*arguments).rstrip().endswith("antinode node")
 
 
 @pytest.mark.parametrize("tool", TOOLS)
