@@ -408,8 +408,9 @@ class Study:
                 self.known[note] = None
                 self.say(f"NOTE: {note}")
         run = Run(dict(point), settings, names=names)
-        words = "_".join(
-            f"{names[key]}={value}" for key, value in point.items())
+        # A run that is longer is the same run
+        words = "_".join(f"{names[key]}={value}" for key, value in point.items()
+                         if names[key] != "endTime")
         run.name = re.sub(r"[^\w.+=-]+", "-", words) or "case"
         if len(run.name) > 100 or run.name != words:
             run.name = f"{run.name[:90]}_{digest(words.encode())[:8]}"
@@ -436,7 +437,9 @@ class Study:
         runs = [self.run_of(point, names) for point in points]
         unique = {}
         for run in runs:
-            unique.setdefault(run.key, run)
+            other = unique.setdefault(run.key, run)
+            if run.end and other.end and run.end > other.end:
+                unique[run.key] = run
         complete = self.find()
         changed, left = [], []
         for run in unique.values():
@@ -706,6 +709,10 @@ def results_of(run, only=None):
                 continue
             late = (run.end or float("inf"))*(1 + 1e-6)
             last = max(k for k, t in enumerate(times) if t <= late)
+            if run.end and times[last] < run.end*(1 - 1e-3):
+                raise StudyError(
+                    f"the table {name} of {run.folder} has no row at"
+                    f" {run.end:g} s: report more often")
             for column, values in table.items():
                 row.setdefault(before + column, values[last])
     if only:

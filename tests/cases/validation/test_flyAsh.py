@@ -79,16 +79,18 @@ def test_goes_on_where_it_was_interrupted(study, tmp_path):
     command = ("levels", *BOX, "--seeds", "1", "--levels", "140",
                "--models", "none")
     study(*command, "--time", "0.27")
-    (folder,) = study.results.glob("none_1400Hz_140dB_N60_*/seed1")
+    (folder,) = study.results.glob(
+        "runs/model=none_frequency=1400_SPL=140_count=60_*_seed=1")
     # The beginning, 0.25 s and the end
     assert len(list(folder.glob("[0-9]*"))) == 3
-    table = rows(study(*command, "--time", "0.3"))
-    assert len(list(folder.glob("postProcessing/aerosol/*"))) == 2
+    printed = study(*command, "--time", "0.3")
+    assert "goes on from 0.27 s" in printed
+    table = rows(printed)
     whole = study(*command, "--time", "0.3", "--results", tmp_path/"whole")
     assert rows(whole) == table
 
 
-def test_another_model_of_the_same_name_is_run_anew(study):
+def test_another_model_of_the_same_name_is_not_mixed(study):
     command = ("decay", *SMALL, "--seeds", "1", "--levels", "140",
                "--models", "noGravity")
     assert "1 runs" in study(*command)
@@ -96,7 +98,8 @@ def test_another_model_of_the_same_name_is_run_anew(study):
     text = file.read_text()
     file.write_text(text.replace("SchillerNaumann", "Stokes"))
     try:
-        assert "1 runs" in study(*command)
+        assert "--anew" in study(*command, status=1)
+        assert "1 runs" in study(*command, "--anew")
     finally:
         file.write_text(text)
 

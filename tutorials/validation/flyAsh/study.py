@@ -10,9 +10,9 @@
   refill       the DEM and a population balance, where they agree and where not
   capture      pairs by brute force: what wakes take from the paths
 
-Each runs the cases that it needs, as many at a time as there are cores, and
-keeps them in results/: those that are there already are not run again, and a
-study that was interrupted, or that is to go on for longer, goes on. README.md
+Each runs the cases that it needs by bin/study, as many at a time as there are
+cores, and keeps them in results/: those that are there already are not run again,
+and a study that was interrupted, or that is to go on for longer, goes on. README.md
 says how long the figures take.
 """
 
@@ -24,7 +24,7 @@ import sys
 from pathlib import Path
 
 # First, since it finds a Python that has the others
-from cases import MODELS, POINT, Runner, at, least_count
+from cases import MODELS, POINT, Runner, at, least_count, studyRuns
 
 import capture
 import matplotlib.pyplot as plt
@@ -62,11 +62,11 @@ def mean_error(values, number):
 
 def efficiencies(tables, end):
     """(total, error), (PM2.5, error) of the seeds, in per cent."""
-    number = tables[0]["particles"][0]
+    number = tables[0]["number"][0]
     return [
         100*np.array(mean_error([at(table, end, name) for table in tables],
                                 number))
-        for name in ("efficiency", "efficiencyPM2.5")
+        for name in ("efficiency", "efficiency_PM2_5")
     ]
 
 
@@ -223,7 +223,7 @@ class Studies:
         for k, (label, tables) in enumerate(zip(labels, ensembles)):
             t = np.linspace(0, end, 81)
             gone = np.array([[at(table, s) for s in t] for table in tables])
-            number = tables[0]["particles"][0]
+            number = tables[0]["number"][0]
             mean, error = mean_error(gone, number)
             axes.plot(t, 1 - mean, color=f"C{k}", label=label)
             axes.fill_between(t, 1 - mean - error, 1 - mean + error,
@@ -426,6 +426,8 @@ def main():
     parser.add_argument("--results", default=HERE/"results")
     parser.add_argument("--slim", action="store_true",
                         help="keep tables only, no particles")
+    parser.add_argument("--anew", action="store_true", help="throw away runs of"
+                        " which model or case has been another one")
     options = parser.parse_args()
 
     if shutil.which("acousticDEMFoam") is None:
@@ -437,7 +439,8 @@ def main():
 
     try:
         getattr(Studies(options), options.figure)()
-    except (subprocess.CalledProcessError, RuntimeError, OSError) as error:
+    except (subprocess.CalledProcessError, RuntimeError, OSError,
+            studyRuns.StudyError, studyRuns.EntryError) as error:
         sys.exit(f"ERROR: {error}")
 
 
