@@ -382,3 +382,115 @@ def test_a_case_without_a_level_says_how_to_get_one(box):
     said = Results(box.path).run(tool, status=1)
     assert "soundPressureLevel" in said
     assert "mesh" in Results(box.path).run(tool, str(box.path/"system"), status=1)
+
+
+# Agglomeration
+
+VOLUME = 2e-9  # m3
+EDGES = 0, 1e-6, 1e-5, 2e-5, np.inf
+AGGLOMERATION = ("time_s", "number", "concentration_per_m3", "efficiency",
+                 "efficiency_PM2_5", "CMD_m", "MMD_m", "GSD", "dMax_m", "contacts",
+                 "mass_kg")
+SIZES = "time_s", "lower_m", "upper_m", "number", "mass_kg"
+
+
+def write_csv(file, names, rows):
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(",".join(names) + "\n" + "".join(
+        ",".join(f"{x:.17g}" for x in row) + "\n" for row in rows))
+
+
+def write_tables(case, end, numbers, cloud="aerosol"):
+    """Tables of a cloud of 1000 particles, 400 of them above 10 um at first, of
+    which in the end there are fewer."""
+    folder = case/"postProcessing"/cloud
+    times = np.linspace(0, end, len(numbers))
+    write_csv(folder/"agglomeration.csv", AGGLOMERATION, [
+        (t, N, N/VOLUME, 1 - N/1000, 0.5*(1 - N/1000), 1.25e-6, 2.5e-6, 1.5, 4e-6,
+         1000 - N, 3e-9) for t, N in zip(times, numbers)])
+    write_csv(folder/"sizeDistribution.csv", SIZES, [
+        (times[i], lower, upper, n, m) for i, N in ((0, 1000), (-1, numbers[-1]))
+        for lower, upper, n, m in zip(
+            EDGES, EDGES[1:], (0, 0.6*N, 0.4*N, 0), (0, 1e-9, 2e-9, 0))])
+
+
+def lines_of(axes):
+    """Coordinates of each line that is no legend."""
+    return [line.get_xydata() for line in axes.lines if len(line.get_xydata())]
+
+
+def test_distributions_of_number_and_mass_per_volume_and_decade(tmp_path):
+    plots = module("plotAgglomeration")
+    write_tables(tmp_path, 0.02, [1000, 800, 500])
+    run = plots.read(tmp_path, "aerosol", "it")
+    figure = plots.draw([run], [])
+    concentration, efficiency, number, mass = figure.axes
+    time, value = lines_of(concentration)[0].T
+    assert time == pytest.approx([0, 10, 20])  # ms
+    assert value == pytest.approx(np.array([1000, 800, 500])/VOLUME)
+    assert "[ms]" in efficiency.get_xlabel()
+    steps = [patch.get_data() for patch in number.patches + mass.patches]
+    decades = np.array([1, np.log10(2)])
+    for step, whole in zip(steps, (1000/VOLUME, 500/VOLUME)):
+        assert step.edges == pytest.approx([1, 10, 20])  # um
+        assert step.values == pytest.approx(whole*np.array([0.6, 0.4])/decades)
+    for step in steps[2:]:  # g/m3
+        assert step.values == pytest.approx(
+            np.array([1e-6, 2e-6])/VOLUME/decades)
+    assert "kg" not in mass.get_ylabel() and "1/m³" in number.get_ylabel()
+    scales = [axes.get_yscale() for axes in figure.axes]
+    assert scales == ["linear"]*4
+
+    # A tenth and less would be hard to see
+    write_tables(tmp_path, 3, [1000, 100, 50])
+    figure = plots.draw([plots.read(tmp_path, "aerosol", "it")], [])
+    assert [axes.get_yscale() for axes in figure.axes] == [
+        "log", "linear", "log", "linear"]
+    assert "[s]" in figure.axes[1].get_xlabel()
+
+
+def test_several_runs_and_what_was_measured(tmp_path):
+    results = Results(tmp_path)
+    tool = ROOT/"bin/plotAgglomeration"
+    for name, N in (("a", 400), ("b", 300)):
+        write_tables(tmp_path/name, 2, [1000, N])
+    write_csv(tmp_path/"m.csv", ("time_s", "efficiency", "other"),
+              [(1, 0.3, 7), (2, 0.65, 7)])
+    write_csv(tmp_path/"sizes.csv", ("lower_m", "upper_m", "mass_kg_per_m3"),
+              [(1e-6, 1e-5, 0.4)])
+    results.run(tool, "a", "b", "--measured", "m.csv", "--measured", "sizes.csv",
+                "--output", "both.png")
+    assert (tmp_path/"both.png").stat().st_size > 10_000
+    assert not (tmp_path/"a/agglomeration.png").exists()
+
+    plots = module("plotAgglomeration")
+    runs = [plots.read(tmp_path/name, "aerosol", name) for name in "ab"]
+    figure = plots.draw(runs, [
+        (name, plots.measured(tmp_path/name)) for name in ("m.csv", "sizes.csv")])
+    assert {text.get_text() for text in figure.legends[0].get_texts()} == {
+        "a", "b", "m.csv", "sizes.csv"}
+    concentration, efficiency, _, mass = figure.axes
+    assert [line[-1, 1]*VOLUME for line in lines_of(concentration)[:2]] == \
+        pytest.approx([400, 300])
+    assert any(np.allclose(line, [(1, 30), (2, 65)])
+               for line in lines_of(efficiency) if len(line) == 2)
+    assert any(np.allclose(line, [(np.sqrt(10), 400)]) for line in lines_of(mass))
+
+    for content, said in (("", "no rows"), ("a,b\n1,2\n", "lower_m, upper_m"),
+                          ("time_s,efficiency\n1\n", "line 2"),
+                          ("time_s,mass_kg_per_m3\n1,2\n", "time_s and some of")):
+        (tmp_path/"m.csv").write_text(content)
+        assert said in results.run(tool, "a", "--measured", "m.csv", status=1)
+    assert "nowhere" in results.run(tool, "a", "--measured", "nowhere", status=1)
+
+
+def test_a_picture_of_each_cloud_or_of_all(tmp_path):
+    results = Results(tmp_path)
+    tool = ROOT/"bin/plotAgglomeration"
+    for cloud in ("node", "antinode"):
+        write_tables(tmp_path, 2, [1000, 900], cloud)
+    results.run(tool, "--together")
+    assert [file.name for file in tmp_path.glob("*.png")] == ["agglomeration.png"]
+    results.run(tool)
+    assert {file.name for file in tmp_path.glob("*_*.png")} == {
+        "agglomeration_node.png", "agglomeration_antinode.png"}
