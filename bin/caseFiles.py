@@ -45,33 +45,6 @@ def folder_of(case):
     return case.resolve()
 
 
-# Tables
-
-def csv(file):
-    """The columns of a table with one header line, by name: numbers, or words
-    where there are other ones."""
-    try:
-        lines = file.read_text(encoding="utf-8-sig").splitlines()
-    except (OSError, UnicodeError) as error:
-        return runTables.fail(f"{file}: {error}")
-    lines = [(k, [word.strip() for word in line.split(",")])
-             for k, line in enumerate(lines, 1) if line.strip()]
-    if len(lines) < 2:
-        return runTables.fail(f"{file} has no rows")
-    names = lines[0][1]
-    for k, words in lines:
-        if len(words) != len(names):
-            return runTables.fail(f"{file}, line {k}: {len(words)} columns in"
-                                  f" place of {len(names)}")
-    columns = {}
-    for name, words in zip(names, zip(*(words for _, words in lines[1:]))):
-        try:
-            columns[name] = np.array(words, float)
-        except ValueError:
-            columns[name] = np.array(words)
-    return columns
-
-
 # Dictionaries
 
 def shell(command, *arguments, cwd=None):

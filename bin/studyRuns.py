@@ -32,7 +32,6 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import foamEntries
-import runTables
 from foamEntries import EntryError
 
 # What a case has that its runs have to make themselves
@@ -77,26 +76,8 @@ def die_with_parent(parent):
         os._exit(1)
 
 
-# Columns of the tables with columns between blanks
-OLD = {"time": "time_s", "particles": "number",
-       "concentration": "concentration_per_m3",
-       "efficiencyPM2.5": "efficiency_PM2_5", "CMD": "CMD_m", "MMD": "MMD_m",
-       "dMax": "dMax_m", "mass": "mass_kg"}
-
-
-def read_old(case, cloud, name):
-    found = runTables.tables(case, cloud, name)
-    if not found:
-        raise OSError("no table")
-    rows, sources = runTables.joined(found)
-    return {OLD.get(key, key): list(map(float, column))
-            for key, column in zip(sources[-1].names(), rows.T)}
-
-
 def read_table(case, cloud, name):
     """Columns by name, of a table of a run."""
-    if list(Path(case, "postProcessing", cloud).glob("*/agglomeration.dat")):
-        return read_old(case, cloud, name)
     file = Path(case, "postProcessing", cloud, f"{name}.csv")
     # Without what a kill has left of a row
     text = file.read_text().rpartition("\n")[0]
@@ -107,8 +88,7 @@ def read_table(case, cloud, name):
 
 def clouds(case):
     return sorted(file.parent.name for file in
-                  Path(case).glob("postProcessing/*/agglomeration.csv")) \
-        or runTables.clouds(case)
+                  Path(case).glob("postProcessing/*/agglomeration.csv"))
 
 
 @dataclass

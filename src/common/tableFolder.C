@@ -4,74 +4,25 @@
 \*---------------------------------------------------------------------------*/
 
 #include "tableFolder.H"
-#include "error.H"
-#include "IOstreams.H"
 #include "OSspecific.H"
+#include "Pstream.H"
+#include "scalar.H"
 #include "writtenFiles.H"
-
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <regex>
-
-#include <unistd.h>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
 {
 
-using Foam::fileName;
-using Foam::label;
-
-//- The number that the pattern finds in a text, or zero
-label numberIn(const std::string& text, const char* pattern)
+//- Whether a file is a table of ours, not one that a user has put there
+bool isTable(const Foam::fileName& file)
 {
-    std::smatch match;
-
-    return
-        std::regex_match(text, match, std::regex(pattern))
-      ? label(std::stol(match[1]))
-      : 0;
-}
-
-
-//- The number of the run in the header of a table, or zero
-label runOf(const fileName& table)
-{
-    std::ifstream is(table);
+    std::ifstream is(file);
     std::string line;
 
-    return
-        std::getline(is, line)
-      ? numberIn(line, "# Run *: *([0-9]{1,9}) *")
-      : 0;
-}
+    std::getline(is, line);
 
-
-//- Remove a last row that is cut off
-void mend(const fileName& table)
-{
-    std::ifstream is(table, std::ios::binary | std::ios::ate);
-    const std::streamoff size = is.tellg();
-    std::streamoff end = size;
-
-    const auto whole = [&]
-    {
-        is.seekg(end - 1);
-        return is.get() == '\n';
-    };
-
-    while (end > 0 && !whole())
-    {
-        --end;
-    }
-
-    if (end < size && ::truncate(table.c_str(), end) == 0)
-    {
-        Foam::Info<< "Removed the last row of " << table
-            << ", which was cut off" << Foam::endl;
-    }
+    return line.empty() || line.compare(0, 7, "time_s,") == 0;
 }
 
 } // End anonymous namespace
@@ -79,33 +30,32 @@ void mend(const fileName& table)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::tableFolder::tableFolder(const fileName& folder, const word& startTime)
+Foam::tableFolder::tableFolder
+(
+    const fileName& folder,
+    const double start,
+    const double tolerance,
+    const bool isNew
+)
 :
-    folder_(folder/startTime),
-    number_(1),
-    run_(1)
+    folder_(folder),
+    start_(isNew ? -VGREAT : start),
+    tolerance_(tolerance)
 {
+    if (!Pstream::master())
+    {
+        return;
+    }
+
     requireFolder(folder_);
 
-    for (const fileName& start : readDir(folder, fileName::DIRECTORY))
+    for (const fileName& name : readDir(folder_, fileName::FILE))
     {
-        for (const fileName& file : readDir(folder/start, fileName::FILE))
+        const fileName file(folder_/name);
+
+        if (name.hasExt("csv") && isTable(file))
         {
-            if (!file.hasExt("dat"))
-            {
-                continue;
-            }
-
-            mend(folder/start/file);
-            run_ = max(run_, runOf(folder/start/file) + 1);
-
-            if (start == startTime)
-            {
-                const label number =
-                    numberIn(file, ".*_([0-9]{1,9})\\.dat");
-
-                number_ = max(number_, max(number, label(1)) + 1);
-            }
+            tableFile::removeAfter(file, start_, tolerance_);
         }
     }
 }
@@ -113,33 +63,35 @@ Foam::tableFolder::tableFolder(const fileName& folder, const word& startTime)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::autoPtr<Foam::OFstream> Foam::tableFolder::open(const word& table) const
+Foam::autoPtr<Foam::tableFile> Foam::tableFolder::states
+(
+    const word& table,
+    const std::vector<std::string>& columns
+) const
 {
-    const word suffix(number_ > 1 ? "_" + std::to_string(number_) : "");
+    const fileName file(folder_/table + ".csv");
 
-    mkDir(folder_);
+    if (Pstream::master() && isFile(file, false))
+    {
+        tableFile::removeFrom(file, start_, tolerance_);
+    }
 
-    autoPtr<OFstream> os(new OFstream(folder_/table + suffix + ".dat"));
-
-    os()<< "# Run : " << run_ << nl;
-    flush(*os);
-
-    return os;
+    return events(table, columns);
 }
 
 
-void Foam::tableFolder::flush(OFstream& table)
+Foam::autoPtr<Foam::tableFile> Foam::tableFolder::events
+(
+    const word& table,
+    const std::vector<std::string>& columns
+) const
 {
-    errno = 0;
-    table.flush();
-
-    if (!table.stdStream().good())
-    {
-        FatalErrorInFunction
-            << "Cannot write to " << table.name() << ": "
-            << (errno ? std::strerror(errno) : "is the disk full?")
-            << exit(FatalError);
-    }
+    return autoPtr<tableFile>
+    (
+        Pstream::master()
+      ? new tableFile(folder_/table + ".csv", columns)
+      : nullptr
+    );
 }
 
 

@@ -1,10 +1,14 @@
 """What the tests of the aerosol read: its tables, and the files of its cloud."""
 
 import re
+import sys
 from pathlib import Path
 
 import numpy as np
-from foamcase import FoamCase
+from foamcase import ROOT, FoamCase
+
+sys.path.append(str(ROOT/"bin"))
+from acousticDEM import csv  # noqa: E402
 
 BASE = Path(__file__).resolve().parent/"analyticBox"
 
@@ -101,17 +105,8 @@ simpleCoeffs {{ n (1 {ranks} 1); delta 0.001; }}
         )
 
     def table(self, name="agglomeration", cloud="aerosol"):
-        """Columns by name, without units, of all runs in their order."""
-        rows = []
-        runs = (self.path/"postProcessing"/cloud).iterdir()
-        for run in sorted(runs, key=lambda path: float(path.name)):
-            for line in (run/f"{name}.dat").read_text().splitlines():
-                if line.startswith("#"):
-                    header = line[1:].split()
-                else:
-                    rows.append([float(x) for x in line.split()])
-        names = [re.sub(r"\[.*", "", column) for column in header]
-        return dict(zip(names, np.array(rows).T))
+        """Columns by name."""
+        return csv(self.path/"postProcessing"/cloud/f"{name}.csv")
 
     def cloud(self, time, cloud="aerosol"):
         """The particles of a time, by name of the quantity, in order of ids."""

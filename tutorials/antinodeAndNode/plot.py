@@ -27,8 +27,7 @@ PLACES = {  # in wavelengths
     if name != "length"
 }
 tables = {
-    name: runTables.joined(runTables.required(case, name, "agglomeration"))[0]
-    for name in PLACES
+    name: runTables.columns(case, name, "agglomeration") for name in PLACES
 }
 u0 = np.sqrt(2)*20e-6*10**(NUMBER["SPL"]/20)/(1.204*NUMBER["soundSpeed"])
 
@@ -39,13 +38,13 @@ print("place          [mm]   u0 [m/s]   particles   efficiency [%]")
 
 for number, (name, place) in enumerate(PLACES.items()):
     table = tables[name]
-    efficiency = 100*table[:, 3]
+    efficiency = 100*table["efficiency"]
     colour = plt.cm.viridis(0.95*number/(len(PLACES) - 1))
-    top.plot(1e3*table[:, 0], efficiency, color=colour, label=name)
+    top.plot(1e3*table["time_s"], efficiency, color=colour, label=name)
     bottom.plot(1e3*place*LENGTH, efficiency[-1], "o", color=colour, ms=8,
                 clip_on=False)
     print(f"{name:13s}{1e3*place*LENGTH:6.1f}"
-          f"{u0*abs(np.sin(2*np.pi*place)):11.3f}{table[-1, 1]:12.0f}"
+          f"{u0*abs(np.sin(2*np.pi*place)):11.3f}{table['number'][-1]:12.0f}"
           f"{efficiency[-1]:17.2f}")
 
 top.set_xlabel("time [ms]")

@@ -43,12 +43,13 @@ if (VELOCITY, DIAMETER, EXPERIMENT["density"]) != (0.44, 8e-6, 2400):
 
 def meetings(frequency, wake):
     """Times [ms] at which the pairs meet; not a number if they do not."""
-    table = runTables.required(case/f"sweep{frequency}", wake, "contacts")[-1]
+    table = runTables.columns(case/f"sweep{frequency}", wake, "contacts")
     times = np.full(len(DISTANCES), np.nan)
-    for time, *ids in table.numbers([0, 1, 2]):
+    for time, *ids in zip(table["time_s"], table["id1"], table["id2"]):
         pair = int(min(ids))//2
         if {*ids} != {2*pair, 2*pair + 1}:
-            runTables.fail(f"{table.file}: spheres of two pairs have met")
+            runTables.fail(f"{case}/sweep{frequency}: spheres of two pairs have"
+                           " met")
         times[pair] = 1e3*time
     return times
 

@@ -192,6 +192,8 @@ int main(int argc, char *argv[])
         }
     }
 
+    clouds.end();
+
     Info<< clouds.effort().c_str() << nl << "\nEnd\n" << endl;
 
     return 0;

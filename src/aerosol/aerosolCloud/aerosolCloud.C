@@ -320,10 +320,8 @@ bool Foam::aerosol::aerosolCloud::lastStep() const
 }
 
 
-void Foam::aerosol::aerosolCloud::tabulate()
+void Foam::aerosol::aerosolCloud::tabulate(const bool last)
 {
-    const bool last = lastStep();
-
     if (tables_.due(last))
     {
         tables_.add
@@ -432,8 +430,12 @@ void Foam::aerosol::aerosolCloud::begin()
         write();
     }
 
-    tables_.open(name());
-    tabulate();
+    tables_.open(name(), isNew_);
+
+    if (!left(mesh_.time().value()))
+    {
+        tabulate(lastStep());
+    }
 }
 
 
@@ -492,7 +494,16 @@ void Foam::aerosol::aerosolCloud::evolve()
     domainCheck_.warnOfGrowth();
 
     tables_.add(collisions_.takeRecords(), fragmentation_.takeRecords());
-    tabulate();
+    tabulate(lastStep());
+}
+
+
+void Foam::aerosol::aerosolCloud::end()
+{
+    if (tables_.lastRow() < reached_ - 0.5*mesh_.time().deltaTValue())
+    {
+        tabulate(true);
+    }
 }
 
 

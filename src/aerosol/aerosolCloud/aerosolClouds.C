@@ -165,6 +165,15 @@ void Foam::aerosol::aerosolClouds::evolve()
 }
 
 
+void Foam::aerosol::aerosolClouds::end()
+{
+    for (aerosolCloud& cloud : clouds_)
+    {
+        cloud.end();
+    }
+}
+
+
 std::string Foam::aerosol::aerosolClouds::progress() const
 {
     return each(&aerosolCloud::progress, "\n    ");

@@ -264,6 +264,7 @@ Foam::functionObjects::soundPressureLevel::soundPressureLevel
     warned_(false),
     lastTime_(0),
     reference_(0),
+    tabled_(runTime.value()),
     fields_(mesh_, name)
 {
     read(dict);
@@ -305,10 +306,12 @@ bool Foam::functionObjects::soundPressureLevel::read(const dictionary& dict)
 
     // Changed while running: the columns may have changed, too
     table_.reset(nullptr);
+    pointTable_.reset(nullptr);
 
-    if (Pstream::master() && writeToFile())
+    // What this run will write again is not to wait for that
+    if (!postProcess && writeToFile())
     {
-        requireFolder(baseFileDir());
+        tables();
     }
 
     // The state at the start belongs to the first period

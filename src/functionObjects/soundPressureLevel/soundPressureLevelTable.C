@@ -8,58 +8,83 @@
 #include "largestValue.H"
 #include "phasor.H"
 #include "soundLevel.H"
-#include "tableFolder.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::functionObjects::soundPressureLevel::writeTableHeader(Ostream& os)
+Foam::tableFolder Foam::functionObjects::soundPressureLevel::tables() const
 {
-    writeHeader(os, "Sound pressure level");
-    writeHeaderValue(os, "frequency [Hz]", frequency_);
-    for (size_t i = 0; i < points_.size(); ++i)
-    {
-        writeHeaderValue
-        (
-            os,
-            "point " + std::to_string(i),
-            points_[i].position()
-        );
-    }
+    // A stock solver knows the time of its start by its name only; a new row
+    // is a whole period later
+    return tableFolder
+    (
+        baseFileDir()/prefix_,
+        tabled_,
+        0.5*mesh_.time().deltaTValue(),
+        false
+    );
+}
 
-    writeCommented(os, "Time");
-    for (const char* column : {"period", "SPL", "x", "y", "z"})
-    {
-        writeTabbed(os, column);
-    }
-    for (label k = 1; k <= nHarmonics_; ++k)
-    {
-        writeTabbed(os, "pAmp" + std::to_string(k));
-    }
-    for (const char* column : {"SWR", "UAmp1", "UMean"})
-    {
-        writeTabbed(os, column);
-    }
-    for (size_t i = 0; i < points_.size(); ++i)
-    {
-        const std::string at = '(' + std::to_string(i) + ')';
 
-        for
-        (
-            const char* column
-          : {"SPL", "pPhase", "UMeanx", "UMeany", "UMeanz"}
-        )
+void Foam::functionObjects::soundPressureLevel::openTables()
+{
+    const auto amplitudes = [&](const std::string& of, const std::string& unit)
+    {
+        std::vector<std::string> names;
+        for (label k = 1; k <= nHarmonics_; ++k)
         {
-            writeTabbed(os, column + at);
+            names.push_back(of + "Amp" + std::to_string(k) + unit);
         }
-        for (const char* amplitude : {"pAmp", "UAmp"})
+        return names;
+    };
+
+    const auto joined = []
+    (
+        std::initializer_list<std::vector<std::string>> parts
+    )
+    {
+        std::vector<std::string> all;
+        for (const std::vector<std::string>& part : parts)
         {
-            for (label k = 1; k <= nHarmonics_; ++k)
+            all.insert(all.end(), part.begin(), part.end());
+        }
+        return all;
+    };
+
+    const tableFolder folder(tables());
+
+    table_ = folder.events
+    (
+        typeName,
+        joined
+        ({
             {
-                writeTabbed(os, amplitude + std::to_string(k) + at);
-            }
-        }
+                "time_s", "period", "frequency_Hz", "SPL_dB", "x_m", "y_m",
+                "z_m"
+            },
+            amplitudes("p", "_Pa"),
+            {"SWR", "UAmp1_m_per_s", "UMean_m_per_s"}
+        })
+    );
+
+    if (points_.empty())
+    {
+        return;
     }
-    os  << endl;
+
+    pointTable_ = folder.events
+    (
+        typeName + "AtPoints",
+        joined
+        ({
+            {
+                "time_s", "period", "point", "x_m", "y_m", "z_m", "SPL_dB",
+                "pPhase_rad", "UMean_x_m_per_s", "UMean_y_m_per_s",
+                "UMean_z_m_per_s"
+            },
+            amplitudes("p", "_Pa"),
+            amplitudes("U", "_m_per_s")
+        })
+    );
 }
 
 
@@ -149,54 +174,53 @@ void Foam::functionObjects::soundPressureLevel::writeRow
         reduce(there[k], sumOp<scalar>());
     }
 
-    DynamicList<scalar> row;
+    const scalar SWR = gMax(pAmp[1])/max(gMin(pAmp[1]), VSMALL);
+    const scalar UMean = gMax(mag(U_->mean())());
+    const List<scalarList> values(atPoints());
 
-    row.append(soundLevel::SPL(loudest.value));
-    for (direction d = 0; d < vector::nComponents; ++d)
+    if (!Pstream::master() || !writeToFile())
     {
-        row.append(loudest.place[d]);
+        return;
     }
+    if (!table_)
+    {
+        openTables();
+    }
+
+    const label period = std::lround(p_->end()*frequency_);
+    tabled_ = p_->end();
+
+    tableFile& table = *table_;
+
+    table
+        << p_->end() << period << frequency_ << soundLevel::SPL(loudest.value)
+        << loudest.place.x() << loudest.place.y() << loudest.place.z();
+
     for (label k = 1; k <= nHarmonics_; ++k)
     {
-        row.append(there[k]);
-    }
-    row.append
-    (
-        gMax(pAmp[1])/max(gMin(pAmp[1]), VSMALL)
-    );
-    row.append(UAmp);
-    row.append(gMax(mag(U_->mean())()));
-
-    for (const scalarList& value : atPoints())
-    {
-        row.append(value);
+        table << there[k];
     }
 
-    if (Pstream::master() && writeToFile())
+    table << SWR << UAmp << UMean;
+    table.endRow();
+    table.flush();
+
+    forAll(values, i)
     {
-        if (!table_)
+        const point& x = points_[i].position();
+        tableFile& row = *pointTable_;
+
+        row << p_->end() << period << i << x.x() << x.y() << x.z();
+        for (const scalar value : values[i])
         {
-            table_ = tableFolder
-            (
-                baseFileDir()/prefix_,
-                Time::timeName(startTime_)
-            ).open(typeName);
-
-            initStream(*table_);
-            writeTableHeader(*table_);
+            row << value;
         }
+        row.endRow();
+    }
 
-        OFstream& os = *table_;
-
-        // As many digits of the time as tell apart periods far from zero
-        os  << setprecision(15) << p_->end() << setprecision(writePrecision_)
-            << token::TAB << label(std::lround(p_->end()*frequency_));
-        for (const scalar value : row)
-        {
-            os  << token::TAB << value;
-        }
-        os  << nl;
-        tableFolder::flush(os);
+    if (pointTable_)
+    {
+        pointTable_->flush();
     }
 }
 

@@ -30,7 +30,7 @@ def run_on(case, ranks, *times):
         case.run_on(ranks, *times)
 
     times = [name for name in case.times() if float(name) > 0]
-    tables = sorted((case.path/"postProcessing"/"aerosol").rglob("*.dat"))
+    tables = sorted((case.path/"postProcessing"/"aerosol").rglob("*.csv"))
 
     return case.cloud(times[-1]), [
         (table.name, table.read_text()) for table in tables
@@ -94,7 +94,7 @@ def fixture_stepping(request, tmp_path_factory, meshed):
 def test_is_that_of_one_rank(stepping, ranks):
     make, serial = stepping
 
-    contacts = dict(serial[1])["contacts.dat"].count("\n") - 1
+    contacts = dict(serial[1])["contacts.csv"].count("\n") - 1
     print(contacts, "contacts")
     assert contacts > 3
 
@@ -148,7 +148,7 @@ def test_where_most_particles_rest(tmp_path, meshed, wake, drag):
     for other in clouds[1:]:
         assert_same(clouds[0], other)
 
-    assert dict(clouds[0][1])["contacts.dat"].count("stick ") > 0
+    assert dict(clouds[0][1])["contacts.csv"].count(",stick") > 0
 
 
 @pytest.mark.parametrize("stepping", ["eventDriven", "multipleTimeStep"])
@@ -173,12 +173,12 @@ def test_bounces(tmp_path, meshed, stepping):
 
     assert_same(*clouds)
 
-    contacts = dict(clouds[0][1])["contacts.dat"]
+    contacts = dict(clouds[0][1])["contacts.csv"]
     print(
-        contacts.count("stick "), "stick,", contacts.count("bounce "), "bounce"
+        contacts.count(",stick"), "stick,", contacts.count(",bounce"), "bounce"
     )
-    assert contacts.count("bounce ") > 10
-    assert contacts.count("stick ") > 3
+    assert contacts.count(",bounce") > 10
+    assert contacts.count(",stick") > 3
 
 
 @pytest.mark.parametrize("stepping", [

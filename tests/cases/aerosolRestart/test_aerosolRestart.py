@@ -51,21 +51,14 @@ def same_clouds(one, other):
             assert np.array_equal(values, b[field]), (name, field)
 
 
-def same_tables(one, other, start):
-    """Equal tables; a restart repeats the row of the time it starts from."""
+def same_tables(one, other):
+    """As if the run had never been interrupted."""
     for name in ("agglomeration", "sizeDistribution"):
-        a, b = one.table(name), other.table(name)
-        assert list(a) == list(b)
-        keep = np.ones(len(b["time"]), bool)
-        again = np.flatnonzero(np.isclose(b["time"], start, rtol=1e-9))
-        assert len(again) == 2
-        for column, values in b.items():
-            assert values[again[0]] == values[again[1]], column
-        keep[again[1]] = False
-
-        # Sizes are written at the first and the last time of a run, too
-        for column, values in a.items():
-            assert np.array_equal(values, b[column][keep]), (name, column)
+        a, b = (
+            (case.path/f"postProcessing/aerosol/{name}.csv").read_text()
+            for case in (one, other)
+        )
+        assert a == b and len(a.splitlines()) > 5
 
 
 @pytest.mark.parametrize("writeFormat, wake, bounces", [
@@ -100,16 +93,14 @@ def test_continues(tmp_path, meshed, writeFormat, wake, bounces):
     log = parts.run("acousticDEMFoam")
 
     contacts = whole.table()["contacts"]
-    half = np.argmin(np.abs(whole.table()["time"] - start))
+    half = np.argmin(np.abs(whole.table()["time_s"] - start))
     print(f"contacts {contacts[half]:.0f} and {contacts[-1]:.0f}")
     assert 0 < contacts[half] < contacts[-1]
 
     assert "Continuing with the" in log
-    folders = [p.name for p in (parts.path/"postProcessing/aerosol").iterdir()]
-    assert sorted(folders) == ["0", parts.times()[len(parts.times())//2]]
 
     same_clouds(whole, parts)
-    same_tables(whole, parts, start)
+    same_tables(whole, parts)
 
 
 def test_continues_where_most_particles_rest(tmp_path, meshed):
@@ -137,12 +128,11 @@ def test_continues_where_most_particles_rest(tmp_path, meshed):
 
     parts.control("endTime", repr(146*STEP))
     parts.run("acousticDEMFoam")
-    start = float(parts.times()[-1])
     parts.control("endTime", repr(292*STEP))
     parts.run("acousticDEMFoam")
 
     same_clouds(whole, parts)
-    same_tables(whole, parts, start)
+    same_tables(whole, parts)
 
 
 @pytest.mark.parametrize("precision", ["6", "12"])
@@ -320,7 +310,7 @@ def test_writes_a_row_per_interval(tmp_path, meshed):
     )
     case.run("acousticDEMFoam")
     due = {round(3.4*n) for n in range(12)} | {0, 10, 20, 30, 40}
-    rows = np.round(case.table()["time"]/STEP).astype(int)
+    rows = np.round(case.table()["time_s"]/STEP).astype(int)
     assert list(rows) == sorted(due)
 
 
@@ -434,8 +424,8 @@ def test_survives_a_kill(tmp_path, meshed):
     same_clouds(whole, case)
 
     table = case.table()
-    assert table["time"][-1] == pytest.approx(end)
-    assert np.ptp(table["mass"]) < 1e-13*table["mass"][0]
+    assert table["time_s"][-1] == pytest.approx(end)
+    assert np.ptp(table["mass_kg"]) < 1e-13*table["mass_kg"][0]
 
 
 def test_knows_who_has_touched(tmp_path, meshed):

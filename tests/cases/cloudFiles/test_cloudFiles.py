@@ -23,7 +23,7 @@ def fixture_finished(tmp_path_factory, meshed):
 
     # What follows looks at several times, with different numbers
     assert len(case.times()) == 3
-    numbers = case.table()["particles"]
+    numbers = case.table()["number"]
     assert numbers[0] > numbers[-1]
     return case
 
@@ -40,9 +40,9 @@ def fixture_case(tmp_path, finished):
 def expected(case, time):
     """Number of particles and largest diameter according to the table."""
     table = case.table()
-    row = np.argmin(np.abs(table["time"] - float(time)))
-    assert table["time"][row] == pytest.approx(float(time), abs=1e-12)
-    return int(table["particles"][row]), table["dMax"][row]
+    row = np.argmin(np.abs(table["time_s"] - float(time)))
+    assert table["time_s"][row] == pytest.approx(float(time), abs=1e-12)
+    return int(table["number"][row]), table["dMax_m"][row]
 
 
 def test_fields_agree_with_the_table(finished):
@@ -51,15 +51,15 @@ def test_fields_agree_with_the_table(finished):
     for time in finished.times():
         cloud = finished.cloud(time)
         number, largest = expected(finished, time)
-        row = np.argmin(np.abs(table["time"] - float(time)))
+        row = np.argmin(np.abs(table["time_s"] - float(time)))
 
         assert len(cloud["d"]) == number
         assert cloud["d"].max() == pytest.approx(largest, rel=1e-9)
         assert np.median(cloud["d"]) == pytest.approx(
-            table["CMD"][row], rel=1e-3
+            table["CMD_m"][row], rel=1e-3
         )
         assert cloud["mass"].sum() == pytest.approx(
-            table["mass"][row], rel=1e-14
+            table["mass_kg"][row], rel=1e-14
         )
         assert cloud["mass"] == pytest.approx(
             2300*np.pi/6*cloud["d"]**3, rel=1e-13
@@ -69,7 +69,7 @@ def test_fields_agree_with_the_table(finished):
         scale = np.abs(cloud["mass"][:, None]*cloud["U"]).sum()
         for k, axis in enumerate("XYZ"):
             assert momentum[k] == pytest.approx(
-                table[f"momentum{axis}"][row], abs=1e-13*scale
+                table[f"momentum_{axis.lower()}_kg_m_per_s"][row], abs=1e-13*scale
             )
 
 

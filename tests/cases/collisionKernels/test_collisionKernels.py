@@ -76,9 +76,10 @@ def kernels(text):
             and not line.endswith("pairs") and "<" not in line]
 
 
-def contact_rows(path):
-    lines = [line.split() for line in path.read_text().splitlines()
-             if not line.startswith("#")]
+def contact_rows(box):
+    lines = [line.split(",") for line in (
+        box.path/"postProcessing/aerosol/contacts.csv"
+    ).read_text().splitlines()[1:]]
     return np.array([line[:7] for line in lines], float), [
         line[7] for line in lines
     ]
@@ -117,9 +118,7 @@ def test_settling(box):
         box, LENGTH, x, DIAMETERS[size], SPEED[size], END, STEPS
     )
 
-    met, outcomes = contact_rows(
-        box.path/"postProcessing/aerosol/0/contacts.dat"
-    )
+    met, outcomes = contact_rows(box)
     assert set(outcomes) == {"none"}
     assert (np.diff(met[:, 0]) >= 0).all()
 
@@ -184,7 +183,7 @@ def test_inertia_in_turbulence(box):
 
 def test_contacts_are_not_kept_unless_asked_for(box):
     box.run("acousticDEMFoam")
-    assert not list((box.path/"postProcessing/aerosol").glob("*/contacts*"))
+    assert not list((box.path/"postProcessing/aerosol").glob("contacts*"))
     assert "contacts yes" in run_tool(box.path, status=1)
 
 
@@ -194,18 +193,14 @@ def test_aggregates(box):
         file.write("report { contacts yes; }\n")
     box.aerosol("numberConcentration", "2.4e13")
 
-    # Two runs: the tables of both count
+    # Two runs: the second one continues the tables
     box.run("acousticDEMFoam")
+    first = len(contact_rows(box)[0])
     box.control("endTime", "#eval{ 2.0/$frequency }")
     box.run("acousticDEMFoam")
 
-    folders = sorted((box.path/"postProcessing/aerosol").iterdir(),
-                     key=lambda folder: float(folder.name))
-    assert len(folders) == 2
-    tables = [contact_rows(folder/"contacts.dat") for folder in folders]
-    assert all(len(table[0]) for table in tables)
-    met = np.vstack([table[0] for table in tables])
-    outcomes = sum((table[1] for table in tables), [])
+    met, outcomes = contact_rows(box)
+    assert 0 < first < len(met)
     print(f"{len(met)} contacts of aggregates")
     assert (np.diff(met[:, 0]) >= 0).all()
     begin, end = (box.cloud(time) for time in (box.times()[0],
@@ -226,22 +221,23 @@ def test_aggregates(box):
 
 def test_tool(tmp_path):
     """Numbers that can be worked out: V = 1e-6 m3, 2 s, one class shrinks."""
-    folder = tmp_path/"postProcessing/aerosol/0"
+    folder = tmp_path/"postProcessing/aerosol"
     folder.mkdir(parents=True)
-    (folder/"agglomeration.dat").write_text(
-        "# time\n" + "".join(
-            f"{t} {N} {N*1e6} 0 0 1e-6 1e-6 1 1e-6 {c} 0 0 0 0\n"
-            for t, N, c in ((0, 30, 0), (2, 28, 5))
+    (folder/"agglomeration.csv").write_text(
+        "time_s,number,concentration_per_m3,contacts\n"
+        "0,30,30e6,0\n2,28,28e6,5\n"
+    )
+    (folder/"sizeDistribution.csv").write_text(
+        "time_s,lower_m,upper_m,number,mass_kg\n" + "".join(
+            f"{t},0,1e-6,0,0\n{t},1e-6,2e-6,{n},0\n{t},2e-6,4e-6,10,0\n"
+            f"{t},4e-6,inf,0,0\n" for t, n in ((0, 20), (2, 18))
         )
     )
-    (folder/"sizeDistribution.dat").write_text(
-        "# edges[m] 1e-6 2e-6 4e-6\n# time\n0 0 20 10 0\n2 0 18 10 0\n"
-    )
-    (folder/"contacts.dat").write_text(
-        "# time\n"
-        "0.5 1 2 1.5e-6 3e-6 1 0 none\n0.5 1 2 3e-6 1.5e-6 1 0 none\n"
-        "0.7 1 2 1e-6 1.5e-6 1 0 none\n0.8 1 2 1e-6 1.5e-6 1 0 none\n"
-        "0.9 1 2 1e-6 3e-6 1 0 none\n"
+    (folder/"contacts.csv").write_text(
+        "time_s,id1,id2,d1_m,d2_m,speed_m_per_s,angle_deg,outcome\n"
+        "0.5,1,2,1.5e-6,3e-6,1,0,none\n0.5,1,2,3e-6,1.5e-6,1,0,none\n"
+        "0.7,1,2,1e-6,1.5e-6,1,0,none\n0.8,1,2,1e-6,1.5e-6,1,0,none\n"
+        "0.9,1,2,1e-6,3e-6,1,0,none\n"
     )
     same, cross = kernels(run_tool(tmp_path))
     squares = 2/3*(20**2 + 20*18 + 18**2)
@@ -254,6 +250,6 @@ def test_tool(tmp_path):
     (one,) = kernels(run_tool(tmp_path, "--classes", "1e-6,4e-6"))
     assert one[0] == 5
     assert "divides" in run_tool(tmp_path, "--classes", "1e-6,3e-6", status=1)
-    with (folder/"contacts.dat").open("a") as file:
-        file.write("1 1 2 1e-6 3e-6 1 0 none\n")
+    with (folder/"contacts.csv").open("a") as file:
+        file.write("1,1,2,1e-6,3e-6,1,0,none\n")
     assert "6 contacts" in run_tool(tmp_path, status=1)

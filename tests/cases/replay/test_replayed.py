@@ -8,6 +8,7 @@ import shutil
 
 import numpy as np
 import pytest
+from aerosolcase import csv
 from test_replay import decompose, in_cells, sound, tube
 
 SOLVE = "type explicitCompressible; frequency 1400; velocityAmplitude 0.02;"
@@ -237,11 +238,9 @@ def test_levels_of_what_is_solved_again(tmp_path):
     log = (case.path/"log.acousticDEMFoam").read_text()
     assert log.count("From here on") >= 2 and "solved again" in log
 
-    rows = np.loadtxt(
-        case.path/"postProcessing/level/0/soundPressureLevel.dat"
-    )
-    print(rows[:, 1:3])
-    assert len(rows) > 3 and rows[:, 2].min() > 80
+    rows = csv(case.path/"postProcessing/level/soundPressureLevel.csv")
+    print(rows["period"], rows["SPL_dB"])
+    assert len(rows["period"]) > 3 and rows["SPL_dB"].min() > 80
     # The names of the terms are those of the replay while it replays
     last = case.path/case.times()[-1]
     assert (last/"UAmp1").exists() and (last/"UMean").exists()

@@ -118,11 +118,8 @@ def test_tracers_move_with_the_mean_flux_of_mass(tmp_path):
 
 def contacts(case):
     """Times and ids."""
-    file = case.path/"postProcessing/aerosol/0/contacts.dat"
-    return np.array([
-        [float(x) for x in line.split()[:3]]
-        for line in file.read_text().splitlines() if not line.startswith("#")
-    ])
+    table = case.table("contacts")
+    return np.array([table[name] for name in ("time_s", "id1", "id2")]).T
 
 
 def steps(log):

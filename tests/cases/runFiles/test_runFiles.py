@@ -9,6 +9,7 @@ import time
 
 import numpy as np
 import pytest
+from aerosolcase import csv
 from foamcase import ROOT, FoamCase
 
 SOLVER = "acousticDEMFoam"
@@ -37,49 +38,121 @@ def anew(box):
         subprocess.run(["rm", "-r", box.path/time_], check=True)
 
 
-def rows(file):
-    lines = file.read_text().splitlines()
-    return [line.split() for line in lines if not line.startswith("#")]
+def folder(box):
+    return box.path/"postProcessing/aerosol"
 
 
-def run_number(file):
-    return int(re.match(r"# Run : (\d+)\n", file.read_text())[1])
+def times_of(box, name="agglomeration"):
+    """In steps."""
+    return [round(t/5e-6, 3) for t in box.table(name)["time_s"]]
 
 
-def test_each_run_has_tables_of_one_number(box):
-    """Contacts are asked for in the second run only: contacts_2.dat."""
+def test_a_table_is_read_by_anything(box):
+    """One header, no padding, no comments."""
+    box.replace("constant/aerosolProperties", "domain",
+                "report { contacts yes; breakages yes; }\n\ndomain")
+    box.aerosol("numberConcentration", "6e13")
     short(box).run(SOLVER)
-    for k, contacts in ((2, "yes"), (3, "no")):
-        anew(box)
-        box.replace("constant/aerosolProperties", "contacts (yes|no)",
-                    f"contacts {contacts}")
-        box.run(SOLVER)
+    names = {file.name for file in folder(box).iterdir()}
+    assert names >= {"agglomeration.csv", "sizeDistribution.csv",
+                     "contacts.csv", "breakages.csv"}
+    for name in names:
+        header, *rows = (folder(box)/name).read_text().splitlines()
+        assert re.fullmatch(r"time_s(,[A-Za-z]\w*)+", header)
+        for row in rows:
+            assert row.count(",") == header.count(",")
+            assert re.fullmatch(r"[^\s,#]+(,[^\s,#]+)*", row)
 
-    # A restart, whose time has no tables yet
-    box.control("endTime", "1e-4")
+    # The sizes are those of all particles
+    numbers, sizes = box.table(), box.table("sizeDistribution")
+    for t, n, m in zip(*(numbers[name] for name in
+                         ("time_s", "number", "mass_kg"))):
+        there = sizes["time_s"] == t
+        if there.any():
+            assert sizes["number"][there].sum() == n
+            assert sizes["mass_kg"][there].sum() == pytest.approx(m, rel=1e-12)
+    assert (sizes["lower_m"][0], sizes["upper_m"][-1]) == (0, np.inf)
+    assert len(np.unique(sizes["time_s"])) == 2
+
+
+def test_a_restart_continues_the_tables(box):
+    """From the last time; from an earlier one; after a row that is cut off."""
+    short(box, 10, 5).run(SOLVER)
+    box.control("endTime", "8e-5")
     box.run(SOLVER)
-    tables = box.path/"postProcessing/aerosol"
-    runs = {
-        str(file.relative_to(tables)): run_number(file)
-        for file in tables.glob("*/*")
-    }
-    assert runs == {
-        "0/agglomeration.dat": 1, "0/sizeDistribution.dat": 1,
-        "0/agglomeration_2.dat": 2, "0/sizeDistribution_2.dat": 2,
-        "0/contacts_2.dat": 2,
-        "0/agglomeration_3.dat": 3, "0/sizeDistribution_3.dat": 3,
-        "5e-05/agglomeration.dat": 4, "5e-05/sizeDistribution.dat": 4,
-    }
+    assert times_of(box) == list(range(17))
+    assert sorted(set(times_of(box, "sizeDistribution"))) == [0, 5, 10, 15, 16]
+    whole = (folder(box)/"agglomeration.csv").read_bytes()
+
+    for cut in (1, 60, len(whole.splitlines()[-1]) + 1):
+        (folder(box)/"agglomeration.csv").write_bytes(whole[:-cut])
+        log = flat(box.run(SOLVER))
+        assert (folder(box)/"agglomeration.csv").read_bytes() == whole
+    assert "agglomeration.csv, which was cut off" in log
+
+    box.control("startFrom", "startTime")
+    box.control("startTime", "2.5e-5")
+    box.control("endTime", "4e-5")
+    assert re.search(r"Removed 11 rows of \S*agglomeration.csv after",
+                     flat(box.run(SOLVER)))
+    assert times_of(box) == list(range(9))
+    assert whole.startswith((folder(box)/"agglomeration.csv").read_bytes())
+    assert not list(folder(box).glob("*.previous"))
 
 
-def test_a_row_that_is_cut_off_is_removed_by_the_next_run(box):
+def test_a_table_that_is_not_written_any_longer_ends_where_the_run_starts(box):
+    box.aerosol("numberConcentration", "6e13")
+    box.replace("constant/aerosolProperties", "domain",
+                "report { interval 5e-6; contacts yes; }\n\ndomain")
+    short(box, 40, 20).run(SOLVER)
+    assert times_of(box, "contacts")[-1] > 20 > times_of(box, "contacts")[0]
+    box.replace("constant/aerosolProperties", "contacts yes", "contacts no")
+    box.control("startFrom", "startTime")
+    box.control("startTime", "1e-4")
+    box.run(SOLVER)
+    assert 0 < times_of(box, "contacts")[-1] <= 20
+
+
+def test_a_new_run_sets_tables_aside(box):
+    """Also one that is not written now, and but once; not a file of a user."""
+    box.replace("constant/aerosolProperties", "domain",
+                "report { interval 5e-6; contacts yes; }\n\ndomain")
     short(box).run(SOLVER)
-    file = box.path/"postProcessing/aerosol/0/agglomeration.dat"
-    whole = file.read_bytes()
-    file.write_bytes(whole[:-60])
-    box.control("endTime", "1e-4")
-    assert "which was cut off" in flat(box.run(SOLVER))
-    assert file.read_bytes() == whole[:whole[:-1].rindex(b"\n") + 1]
+    (folder(box)/"mine.csv").write_text("x,y\n1,2\n")
+    first = (folder(box)/"agglomeration.csv").read_bytes()
+    anew(box)
+    box.replace("constant/aerosolProperties", "contacts yes", "contacts no")
+    box.control("endTime", "2.5e-5")
+    log = flat(box.run(SOLVER))
+    assert "is now" in log and "agglomeration.csv.previous" in log
+    assert (folder(box)/"agglomeration.csv.previous").read_bytes() == first
+    assert times_of(box) == list(range(6))
+    assert (folder(box)/"mine.csv").read_text() == "x,y\n1,2\n"
+    assert not list(folder(box).glob("*_2*"))
+
+    # A table with other columns
+    file = folder(box)/"sizeDistribution.csv"
+    file.write_text("time_s,below\n0,1\n")
+    box.control("endTime", "5e-5")
+    assert "has other columns than this run writes" in flat(box.run(SOLVER))
+    assert file.with_name(file.name + ".previous").read_text().startswith(
+        "time_s,below\n")
+    assert times_of(box, "sizeDistribution")[0] == 5
+
+
+@pytest.mark.parametrize("stop", ["writeNow", "noWriteNow", "nextWrite"])
+def test_a_run_that_is_stopped_has_the_last_row(box, stop):
+    """Rows are due at the beginning only."""
+    box.replace("constant/aerosolProperties", "domain",
+                "report { interval 1; }\n\ndomain")
+    short(box, 1000, 7)
+    box.control("stopAt", stop)
+    box.run(SOLVER)
+    steps = {"writeNow": 1, "noWriteNow": 1, "nextWrite": 7}[stop]
+    assert times_of(box) == [0, steps]
+    assert sorted(set(times_of(box, "sizeDistribution"))) == [0, steps]
+    written = [round(float(t)/5e-6) for t in box.times()]
+    assert written == ([0] if stop == "noWriteNow" else [0, steps])
 
 
 def test_times_far_from_zero_have_enough_digits(box):
@@ -90,8 +163,7 @@ def test_times_far_from_zero_have_enough_digits(box):
     (box.path/"1500000").mkdir()
     box.run(SOLVER)
     for name in ("agglomeration", "sizeDistribution"):
-        table = box.path/f"postProcessing/aerosol/1500000/{name}.dat"
-        times = np.array([row[0] for row in rows(table)], float)
+        times = np.unique(box.table(name)["time_s"])
         assert times == pytest.approx(1.5e6 + 5e-6*np.arange(11), abs=1e-9)
 
 
@@ -129,18 +201,26 @@ def tube(directory, periods, *edits):
     return case
 
 
-def test_levels_of_each_run_are_kept(tmp_path):
+def level(case, name="soundPressureLevel"):
+    return csv(case.path/f"postProcessing/level/{name}.csv")
+
+
+def test_levels_of_a_restart(tmp_path):
+    """They are continued, from an earlier time as well."""
     case = tube(tmp_path/"case", 3)
-    for periods in (3, 4, 2):
-        for folder in case.path.glob("0.[0-9]*"):
-            if folder.name != "0.orig":
-                subprocess.run(["rm", "-r", folder], check=True)
+
+    def until(periods):
         case.replace("system/controlDict", r"endTime .*",
                      f"endTime #eval{{ {periods}.0/1400 }};")
         case.run(SOLVER)
-    folder = case.path/"postProcessing/level/0"
-    assert [len(rows(folder/f"soundPressureLevel{k}.dat"))
-            for k in ("", "_2", "_3")] == [3, 4, 2]
+        return level(case)["period"].tolist()
+
+    assert until(3) == [1, 2, 3]
+    assert until(5) == [1, 2, 3, 4, 5]
+    for folder_ in case.path.glob("0.00*"):
+        if float(folder_.name) > 2.5/1400:
+            subprocess.run(["rm", "-r", folder_], check=True)
+    assert until(3) == [1, 2, 3]
 
 
 def test_levels_far_from_zero(tmp_path):
@@ -155,8 +235,7 @@ def test_levels_far_from_zero(tmp_path):
     )
     (case.path/"0").rename(case.path/"15000")
     case.run(SOLVER)
-    table = case.path/"postProcessing/level/15000/soundPressureLevel.dat"
-    times = np.array([row[0] for row in rows(table)], float)
+    times = level(case)["time_s"]
     assert np.diff(times) == pytest.approx(1/1400, rel=1e-6)
 
 
@@ -212,7 +291,7 @@ def test_a_kill_leaves_no_lock(box):
         )
         try:
             end = time.monotonic() + 60
-            table = box.path/"postProcessing/aerosol/0/agglomeration.dat"
+            table = box.path/"postProcessing/aerosol/agglomeration.csv"
             while not table.exists() and time.monotonic() < end:
                 time.sleep(0.05)
             assert f"process {run.pid} on" in (box.path/LOCK).read_text()
@@ -250,7 +329,7 @@ def test_a_full_disk_is_told_of_particles(box):
 def test_a_full_disk_is_told_of_tables(box):
     box.particles([((0.0613, 0, 0), 2e-6)])
     log = limited(short(box, 1000, 100000), 20)
-    assert re.search(r"Cannot write to \S*/agglomeration.dat: File too large",
+    assert re.search(r"Cannot write to \S*/agglomeration.csv: File too large",
                      log)
 
 

@@ -54,7 +54,7 @@ def same(one, other, names=("aerosol", "aerosol")):
         assert np.array_equal(values, b[field]), field
     for file in ("agglomeration", "sizeDistribution", "contacts"):
         texts = [
-            (case.path/"postProcessing"/name/"0"/f"{file}.dat").read_text()
+            (case.path/"postProcessing"/name/f"{file}.csv").read_text()
             for case, name in zip((one, other), names)
         ]
         assert texts[0] == texts[1], file
@@ -154,7 +154,7 @@ def test_carried_along_sees_what_it_passes(tmp_path, meshed):
     assert "left the mesh at" in log
 
     table = case.table()
-    last = table["time"][-1]
+    last = table["time_s"][-1]
     assert last == pytest.approx(np.floor(residence/1e-5)*1e-5)
     final = case.cloud(case.times()[-1])
 

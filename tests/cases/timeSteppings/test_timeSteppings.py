@@ -30,7 +30,7 @@ def test_same_contacts(tmp_path, meshed, wake):
 
     one, other = tables.values()
     print("contacts", one["contacts"], other["contacts"])
-    assert np.array_equal(one["time"], other["time"])
+    assert np.array_equal(one["time_s"], other["time_s"])
     assert one["contacts"][-1] > 10
     assert np.abs(one["contacts"] - other["contacts"]).max() <= 2
 

@@ -1,12 +1,12 @@
 """What bin/ and the plots of the tutorials do with what a run has left: tables
-of several runs, tables that are cut off, folders that are copies, and nothing.
+of several clouds, tables that are cut off, and nothing.
 """
 
 import contextlib
 import io
-import os
 import runpy
 import shutil
+import subprocess
 import sys
 from pathlib import Path
 
@@ -17,7 +17,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[3]
 TOOLS = ("plotAgglomeration", "collisionKernels")
 PLOTS = sorted(ROOT.glob("tutorials/*/plot.py"))
-EDGES = (1e-6, 2e-6, 4e-6)
+EDGES = (0, 1e-6, 2e-6, 4e-6, np.inf)
 
 
 class Results:
@@ -26,29 +26,28 @@ class Results:
     def __init__(self, path):
         self.path = path
 
-    def tables(self, start, number, times, particles, run=None,
-               cloud="aerosol"):
+    def tables(self, times, particles, cloud="aerosol"):
         """Those of a run; each particle that is gone was in a contact."""
-        folder = self.path/"postProcessing"/cloud/start
+        folder = self.path/"postProcessing"/cloud
         folder.mkdir(parents=True, exist_ok=True)
-        suffix = "" if number == 1 else f"_{number}"
-        head = f"# Run             : {run}\n" if run else ""
         gone = 1000 - np.asarray(particles)
 
         def write(name, header, rows):
-            (folder/f"{name}{suffix}.dat").write_text(
-                head + header + "".join(
-                    "\t".join(f"{x:.17g}" for x in row) + "\n" for row in rows
+            (folder/f"{name}.csv").write_text(
+                header + "\n" + "".join(
+                    ",".join(f"{x:.17g}" for x in row) + "\n" for row in rows
                 )
             )
 
-        write("agglomeration", "# time[s] particles concentration[1/m3] ...\n",
-              [(t, N, 1e12*N, n/1000, 0, 1e-6, 2e-6, 1.5, 4e-6, n, 1, 0, 0, 0)
+        write("agglomeration", "time_s,number,concentration_per_m3,efficiency,"
+              "efficiency_PM2_5,CMD_m,MMD_m,GSD,dMax_m,contacts",
+              [(t, N, 1e12*N, n/1000, 0, 1e-6, 2e-6, 1.5, 4e-6, n)
                for t, N, n in zip(times, particles, gone)])
-        write("sizeDistribution", "# edges[m] " + " ".join(map(str, EDGES))
-              + "\n# time[s] below bin1 bin2 above\n",
-              [(t, 0, N, 0, 0) for t, N in zip(times, particles)])
-        write("contacts", "# time[s] id1 id2 d1[m] d2[m] ...\n",
+        write("sizeDistribution", "time_s,lower_m,upper_m,number,mass_kg",
+              [(t, lower, upper, N*(k == 1), 1e-15*N*(k == 1))
+               for t, N in zip(times, particles)
+               for k, (lower, upper) in enumerate(zip(EDGES, EDGES[1:]))])
+        write("contacts", "time_s,id1,id2,d1_m,d2_m",
               [(0.5*(t0 + t1), 1, 2, 1.1e-6, 1.2e-6)
                for t0, t1, n0, n1 in zip(times, times[1:], gone, gone[1:])
                for _ in range(n1 - n0)])
@@ -101,55 +100,20 @@ def fixture_results(tmp_path):
     return Results(tmp_path)
 
 
-@pytest.mark.parametrize("numbered", [True, False])
-def test_the_last_run_counts_whatever_the_times_of_the_files(
-    results, numbered
-):
-    """Twelve runs from 0: _10 is after _9. A copy has the times reversed."""
-    for k in range(1, 13):
-        folder = results.tables("0", k, [0, 1, 2], [1000, 990, 900 + k],
-                                k if numbered else None)
-    for file in folder.iterdir():
-        k = int(file.stem.split("_")[1]) if "_" in file.stem else 1
-        os.utime(file, (2e9 - k, 2e9 - k))
-    assert results.last() == (2000, 912)
-    assert results.contacts() == 1000 - 912
-
-
-def test_what_a_run_did_again_counts(results):
-    """From 0 to 4, from 2 to 6, and anew from 1 to 3: that of 2 is over."""
-    results.tables("0", 1, [0, 1, 2, 3, 4], [1000, 990, 980, 970, 960], 1)
-    results.tables("2", 1, [2, 3, 4, 5, 6], [980, 971, 961, 951, 941], 2)
-    assert results.last() == (6000, 941)
-    assert results.contacts() == 59
-    results.tables("1", 1, [1, 2, 3], [990, 985, 975], 3)
-    assert results.last() == (3000, 975)
-    assert results.contacts() == 25
-
-
-def test_times_far_from_zero(results):
-    """Steps of 10 us after 1.5e6 s are told apart."""
-    times = 1.5e6 + 1e-5*np.arange(5)
-    results.tables("1500000", 1, times, [1000, 990, 980, 970, 960], 1)
-    results.tables("1500000.00002", 1, times[2:], [980, 975, 974], 2)
-    assert results.last()[1] == 974
-    assert results.contacts() == 26
-
-
 @pytest.mark.parametrize("cut", [1, 60])
 @pytest.mark.parametrize(
     "name", ["agglomeration", "sizeDistribution", "contacts"]
 )
 def test_a_last_row_that_is_cut_off_is_left_out(results, name, cut):
-    folder = results.tables("0", 1, [0, 1, 2, 3], [1000, 990, 980, 970], 1)
-    file = folder/f"{name}.dat"
+    folder = results.tables([0, 1, 2, 3], [1000, 990, 980, 970])
+    file = folder/f"{name}.csv"
     text = file.read_text()
     file.write_text(text[:-min(cut, len(text.splitlines()[-1]))])
     note = "cut off"
     for tool in TOOLS:
         if (tool, name) == ("collisionKernels", "contacts"):
             said = results.run(ROOT/"bin"/tool, status=1)
-            assert "contacts.dat has 29 contacts" in said
+            assert "contacts.csv has 29 contacts" in said
         elif (tool, name) == ("plotAgglomeration", "contacts"):
             results.run(ROOT/"bin"/tool)
             continue
@@ -161,26 +125,12 @@ def test_a_last_row_that_is_cut_off_is_left_out(results, name, cut):
     if name != "contacts":
         assert results.contacts() == 20
 
-    # The next run goes on from there
-    results.tables("2", 1, [2, 3], [980, 960], 2)
-    assert results.last() == (3000, 960)
-    assert results.contacts() == 40
-
-
-@pytest.mark.parametrize("name", ["0_before", "0_1", "old", "0.5 (copy)"])
-def test_folders_and_files_that_are_copies_are_passed_over(results, name):
-    folder = results.tables("0", 1, [0, 1, 2], [1000, 990, 980], 1)
-    shutil.copytree(folder, folder.parent/name)
-    shutil.copy(folder/"agglomeration.dat", folder/"agglomeration_old.dat")
-    assert results.last() == (2000, 980)
-    assert results.contacts() == 20
-
 
 def test_clouds_are_named(results):
-    results.tables("0", 1, [0, 1], [1000, 990], 1, "node")
+    results.tables([0, 1], [1000, 990], "node")
     assert results.last() == (1000, 990)
     assert results.contacts() == 10
-    results.tables("0", 1, [0, 1], [1000, 980], 1, "antinode")
+    results.tables([0, 1], [1000, 980], "antinode")
     assert results.last("--cloud", "antinode") == (1000, 980)
     assert results.contacts(".", "antinode") == 20
     results.last()  # of each a picture
@@ -208,23 +158,67 @@ def test_what_is_wrong_is_one_line(results, tool):
 @pytest.mark.parametrize("tool", TOOLS)
 @pytest.mark.parametrize("name", ["agglomeration", "sizeDistribution"])
 def test_tables_without_rows_or_with_others(results, tool, name):
-    folder = results.tables("0", 1, [0, 1], [1000, 990], 1)
-    file = folder/f"{name}.dat"
+    folder = results.tables([0, 1], [1000, 990])
+    file = folder/f"{name}.csv"
     text = file.read_text()
-    head = "".join(line for line in text.splitlines(True) if line[0] == "#")
+    head, *rows = text.splitlines(True)
     contents = [
-        "", head, head + "0 1\n1 2\n", head + "0 1 2\n1 2\n2 3 4\n",
-        text.replace("1000", "many"), "\0"*100 + text,
+        "", head, head[:-1], "time_s,a\n0,1\n", head + rows[0] + "1,2\n",
+        text.replace("1000", "many"), text.replace(",", " "), "\0"*100 + text,
+        text.replace("time_s", "t"),
     ]
     if name == "sizeDistribution":
-        contents.append(text.replace("# edges", "# borders"))
+        contents.append(head + "".join(rows[1:]))  # a bin too few
     for content in contents:
         file.write_text(content)
         assert str(file) in results.run(ROOT/"bin"/tool, status=1)
 
 
+def test_tables_of_cases_are_joined(results, tmp_path):
+    """What scripts of users import, by the path that bin/environment sets."""
+    pytest.importorskip("pandas")
+    for seed, clouds in ((1, ("node", "antinode")), (2, ("aerosol",))):
+        for k, cloud in enumerate(clouds):
+            Results(tmp_path/f"seed{seed}").tables(
+                [0, 1], [1000, 1000 - 10*seed - k], cloud)
+    script = """
+import acousticDEM
+one = acousticDEM.table("seed2")
+assert list(one["number"]) == [1000, 980], one
+assert list(acousticDEM.table("seed2", "contacts").columns)[:2] == ["time_s", "id1"]
+assert acousticDEM.clouds("seed1") == ["antinode", "node"]
+both = acousticDEM.join(["seed1", "seed2"])
+assert list(both.columns)[:4] == ["case", "cloud", "time_s", "number"], both
+last = both[both["time_s"] == 1]
+assert list(last["case"]) == ["seed1", "seed1", "seed2"], last
+assert list(last["cloud"]) == ["antinode", "node", "aerosol"], last
+assert list(last["number"]) == [989, 990, 980], last
+assert len(acousticDEM.join("seed1", cloud="node")) == 2
+for wrong in (lambda: acousticDEM.table("seed1"),
+              lambda: acousticDEM.table("nowhere"),
+              lambda: acousticDEM.join([]),
+              lambda: acousticDEM.join("seed2", cloud="node"),
+              lambda: acousticDEM.table("seed2", "breakages")):
+    try:
+        print(wrong())
+    except acousticDEM.TableError as error:
+        print("TableError:", error)
+    else:
+        raise AssertionError
+"""
+    done = subprocess.run(
+        ["bash", "-c", '. "$0"/bin/environment && exec /usr/bin/python3 -c "$1"',
+         ROOT, script],
+        cwd=tmp_path, text=True, stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT, check=False,
+    )
+    assert done.returncode == 0, done.stdout
+    assert done.stdout.count("TableError: ") == 5
+    assert "antinode node" in done.stdout
+
+
 def test_edges_of_classes(results):
-    results.tables("0", 1, [0, 1], [1000, 990], 1)
+    results.tables([0, 1], [1000, 990])
     tool = ROOT/"bin/collisionKernels"
     for edges in ("", "1e-6", "a,b", "2e-6,1e-6", "nan,1e-6"):
         assert "--classes" in results.run(tool, "--classes", edges, status=1)

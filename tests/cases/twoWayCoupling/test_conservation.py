@@ -169,11 +169,11 @@ def test_what_is_lost_is_given(tmp_path, represents, noise, breakage):
     extent = np.where(represents, [0.01, 0.01, 0.01], edge)
     scale = np.prod(extent)/edge**3
     start = scale*total(case, "0")
-    print(len(case.cloud("0")["id"]), case.table()["particles"][-1])
+    print(len(case.cloud("0")["id"]), case.table()["number"][-1])
     if breakage == "none":
-        assert case.table()["particles"][-1] < n
+        assert case.table()["number"][-1] < n
     else:
-        broken = len(case.table("breakages")["time"])
+        broken = len(case.table("breakages")["time_s"])
         print(broken, "breakages,", case.table()["contacts"][-1], "contacts")
         assert broken > 0
 

@@ -26,6 +26,9 @@ import numpy as np
 import smoluchowski
 
 HERE = Path(__file__).resolve().parent
+sys.path.append(str(HERE.parents[2]/"bin"))
+import acousticDEM  # noqa: E402
+
 TOOL = HERE.parents[2]/"bin"/"collisionKernels"
 
 FREQUENCY = 1400  # Hz
@@ -124,13 +127,11 @@ class Box:
             )
         if done.returncode:
             raise RuntimeError(f"acousticDEMFoam failed: see {name}")
-        tables = self.folder/"postProcessing"/"aerosol"/"0"
-        t, N = np.loadtxt(tables/"agglomeration.dat", usecols=(0, 1)).T
-        contacts = [line.split() for line in
-                    (tables/"contacts.dat").read_text().splitlines()
-                    if not line.startswith("#")]
-        contacts = np.array([[row[0], row[3], row[4]] for row in contacts],
-                            float).reshape(-1, 3)
+        tables = self.folder/"postProcessing"/"aerosol"
+        course = acousticDEM.csv(tables/"agglomeration.csv")
+        met = acousticDEM.csv(tables/"contacts.csv")
+        t, N = course["time_s"], course["number"]
+        contacts = np.array([met["time_s"], met["d1_m"], met["d2_m"]]).T
         file = max(self.folder.glob("[0-9]*/lagrangian/aerosol/d"),
                    key=lambda file: float(file.parts[-4]))
         values = re.search(r"(?m)^\d+\s*\(([^)]*)\)", file.read_text())[1]
@@ -158,27 +159,25 @@ def refilled(base, folder, number, periods, seed):
 
 def write_tables(folder, course, contacts, volume):
     """What bin/collisionKernels reads, of all periods together."""
-    target = folder/"postProcessing"/"aerosol"/"0"
-    shutil.rmtree(target.parent)
-    target.mkdir(parents=True)
+    target = folder/"postProcessing"/"aerosol"
+    shutil.rmtree(target)
+    target.mkdir()
     t = PERIOD*np.arange(len(course))
     N = course.sum(axis=1)
-    blank = np.zeros_like(t)
-    np.savetxt(
-        target/"agglomeration.dat",
-        np.column_stack([t, N, N/volume, *[blank]*6, N[0] - N]), fmt="%.10g",
-    )
-    np.savetxt(
-        target/"sizeDistribution.dat",
-        np.column_stack([t, blank, course, blank]), fmt="%.10g",
-        header="edges[m] " + " ".join(f"{e:.17g}" for e in EDGES),
-    )
-    blank = np.zeros(len(contacts))
-    np.savetxt(
-        target/"contacts.dat",
-        np.column_stack([contacts[:, 0], blank, blank, contacts[:, 1:]]),
-        fmt="%.17g",
-    )
+
+    def write(name, header, *columns):
+        np.savetxt(target/f"{name}.csv", np.column_stack(columns), "%.17g", ",",
+                   header=header, comments="")
+
+    write("agglomeration", "time_s,number,concentration_per_m3,contacts",
+          t, N, N/volume, N[0] - N)
+    edges = np.concatenate([[0], EDGES, [np.inf]])
+    n = len(edges) - 1
+    number = np.pad(course, ((0, 0), (1, 1)))
+    write("sizeDistribution", "time_s,lower_m,upper_m,number,mass_kg",
+          np.repeat(t, n), np.tile(edges[:-1], len(t)),
+          np.tile(edges[1:], len(t)), number.ravel(), 0*number.ravel())
+    write("contacts", "time_s,d1_m,d2_m", contacts)
 
 
 def measure(folder):

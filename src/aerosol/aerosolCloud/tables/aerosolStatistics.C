@@ -31,6 +31,15 @@ double geometricStandardDeviation(const scalars& d)
     return std::exp(std::sqrt((lnD - lnD.mean()).square().sum()/(n - 1)));
 }
 
+
+//- The bin of a diameter, between the edges, below or above them
+Eigen::Index binOf(const double d, const scalars& edges)
+{
+    const double* begin = edges.data();
+
+    return std::upper_bound(begin, begin + edges.size(), d) - begin;
+}
+
 } // End anonymous namespace
 
 
@@ -111,15 +120,30 @@ Foam::aerosol::integers Foam::aerosol::aerosolStatistics::histogram
 {
     integers counts = integers::Zero(edges.size() + 1);
 
-    const double* begin = edges.data();
-    const double* end = begin + edges.size();
-
     for (const double di : d)
     {
-        ++counts(std::upper_bound(begin, end, di) - begin);
+        ++counts(binOf(di, edges));
     }
 
     return counts;
+}
+
+
+Foam::aerosol::scalars Foam::aerosol::aerosolStatistics::histogram
+(
+    const scalars& d,
+    const scalars& edges,
+    const scalars& share
+)
+{
+    scalars sums = scalars::Zero(edges.size() + 1);
+
+    for (Eigen::Index i = 0; i < d.size(); ++i)
+    {
+        sums(binOf(d(i), edges)) += share(i);
+    }
+
+    return sums;
 }
 
 

@@ -5,191 +5,22 @@
 
 #include "agglomerationTables.H"
 
-#include "Time.H"
 #include "checkedDictionary.H"
 #include "tableFolder.H"
 #include "unitConversion.H"
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::aerosol::agglomerationTables::writeCount
-(
-    Ostream& os,
-    const std::int64_t value
-) const
-{
-    // As text: Ostream would cut it to the size of a label
-    os  << tab << setw(charWidth()) << std::to_string(value).c_str();
-}
-
-
-void Foam::aerosol::agglomerationTables::writeNumber
-(
-    Ostream& os,
-    const scalar value,
-    const int digits
-) const
-{
-    os  << tab << setprecision(digits - 1) << setw(digits + addChars) << value;
-}
-
-
-void Foam::aerosol::agglomerationTables::writeTime
-(
-    Ostream& os,
-    const scalar time
-) const
-{
-    // As many digits as tell apart steps far from zero
-    os  << setprecision(15) << setw(16 + addChars) << time;
-}
-
-
-void Foam::aerosol::agglomerationTables::endRow(OFstream& os)
-{
-    // Each by itself: a kill leaves whole rows
-    os  << nl;
-    tableFolder::flush(os);
-}
-
-
-void Foam::aerosol::agglomerationTables::writeAgglomerationHeader
-(
-    Ostream& os
-) const
-{
-    writeHeader(os, "Agglomeration of the aerosol");
-    writeHeader(os, "efficiency      1 - N/N0 of all particles");
-    writeHeader
-    (
-        os,
-        "efficiencyPM2.5 the same of particles with a geometric diameter of at"
-        " most 2.5e-6 m"
-    );
-    writeHeader(os, "CMD, MMD        count and mass median diameter");
-    writeHeader(os, "GSD             geometric standard deviation of d");
-    writeHeader(os, "Diameters of aggregates: of the spheres of their volumes");
-
-    writeCommented(os, "time[s]");
-
-    for
-    (
-        const char* column :
-        {
-            "particles", "concentration[1/m3]", "efficiency",
-            "efficiencyPM2.5", "CMD[m]", "MMD[m]", "GSD", "dMax[m]",
-            "contacts"
-        }
-    )
-    {
-        writeTabbed(os, column);
-    }
-    for
-    (
-        const char* column :
-        {
-            "mass[kg]", "momentumX[kg.m/s]", "momentumY[kg.m/s]",
-            "momentumZ[kg.m/s]"
-        }
-    )
-    {
-        os  << tab << setw(16 + addChars) << column;
-    }
-
-    os  << endl;
-}
-
-
-void Foam::aerosol::agglomerationTables::writeSizesHeader(Ostream& os) const
-{
-    writeHeader(os, "Number of particles by diameter");
-
-    writeCommented(os, "edges[m]");
-    for (const scalar edge : edges_)
-    {
-        writeNumber(os, edge, 16);
-    }
-    os  << nl;
-
-    writeCommented(os, "time[s]");
-    writeTabbed(os, "below");
-    for (Eigen::Index k = 1; k < edges_.size(); ++k)
-    {
-        writeTabbed(os, "bin" + Foam::name(label(k)));
-    }
-    writeTabbed(os, "above");
-
-    os  << endl;
-}
-
-
-void Foam::aerosol::agglomerationTables::writeContactsHeader(Ostream& os) const
-{
-    writeHeader(os, "Contacts, by time");
-    writeHeader(os, "id1, d1   of the survivor; diameters are those before");
-    writeHeader(os, "speed     relative speed of the two");
-    writeHeader
-    (
-        os,
-        "angle     between relative velocity and line of centres; 0: head-on,"
-        " 90: grazing"
-    );
-
-    writeCommented(os, "time[s]");
-
-    for
-    (
-        const char* column :
-        {
-            "id1", "id2", "d1[m]", "d2[m]", "speed[m/s]", "angle[deg]",
-            "outcome"
-        }
-    )
-    {
-        writeTabbed(os, column);
-    }
-
-    os  << endl;
-}
-
-
-void Foam::aerosol::agglomerationTables::writeBreakagesHeader
-(
-    Ostream& os
-) const
-{
-    writeHeader(os, "Breakages, by time");
-    writeHeader(os, "id, d, primaries   of the aggregate; the larger piece");
-    writeHeader(os, "                   keeps the id");
-    writeHeader(os, "newId, ...         of the smaller piece");
-
-    writeCommented(os, "time[s]");
-
-    for
-    (
-        const char* column :
-        {"id", "newId", "d[m]", "newD[m]", "primaries", "newPrimaries"}
-    )
-    {
-        writeTabbed(os, column);
-    }
-
-    os  << endl;
-}
-
+#include <limits>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::aerosol::agglomerationTables::agglomerationTables
 (
-    const objectRegistry& mesh,
+    const tableFolder& folder,
     const dictionary& sizeBins,
     const bool withContacts,
-    const word& cloudName,
     const bool withBreakages
 )
 :
-    writeFile(mesh, cloudName),
     edges_
     (
         aerosolStatistics::logarithmicBins
@@ -198,44 +29,50 @@ Foam::aerosol::agglomerationTables::agglomerationTables
             sizeBins.get<scalar>("max"),
             sizeBins.get<label>("n")
         )
+    ),
+    agglomeration_
+    (
+        folder.states
+        (
+            "agglomeration",
+            {
+                "time_s", "number", "concentration_per_m3", "efficiency",
+                "efficiency_PM2_5", "CMD_m", "MMD_m", "GSD", "dMax_m",
+                "contacts", "mass_kg", "momentum_x_kg_m_per_s",
+                "momentum_y_kg_m_per_s", "momentum_z_kg_m_per_s"
+            }
+        )
+    ),
+    sizes_
+    (
+        folder.states
+        (
+            "sizeDistribution",
+            {"time_s", "lower_m", "upper_m", "number", "mass_kg"}
+        )
     )
 {
-    // Sets the width of the columns
-    writePrecision_ = 10;
-
-    if (!Pstream::master())
-    {
-        return;
-    }
-
-    const tableFolder folder
-    (
-        baseFileDir()/prefix_,
-        Time::timeName(startTime_)
-    );
-
-    const auto open = [&](const word& name)
-    {
-        autoPtr<OFstream> os(folder.open(name));
-        initStream(*os);
-        return os;
-    };
-
-    agglomeration_ = open("agglomeration");
-    writeAgglomerationHeader(*agglomeration_);
-
-    sizes_ = open("sizeDistribution");
-    writeSizesHeader(*sizes_);
-
     if (withContacts)
     {
-        collisions_ = open("contacts");
-        writeContactsHeader(*collisions_);
+        contacts_ = folder.events
+        (
+            "contacts",
+            {
+                "time_s", "id1", "id2", "d1_m", "d2_m", "speed_m_per_s",
+                "angle_deg", "outcome"
+            }
+        );
     }
     if (withBreakages)
     {
-        fragmentation_ = open("breakages");
-        writeBreakagesHeader(*fragmentation_);
+        breakages_ = folder.events
+        (
+            "breakages",
+            {
+                "time_s", "id", "d_m", "primaries", "newId", "newD_m",
+                "newPrimaries"
+            }
+        );
     }
 }
 
@@ -287,12 +124,10 @@ void Foam::aerosol::agglomerationTables::writeRow
     const std::int64_t contacts
 )
 {
-    if (!agglomeration_.valid())
+    if (!agglomeration_)
     {
         return;
     }
-
-    OFstream& os = *agglomeration_;
 
     // Of a kind that was never there, nothing has agglomerated
     const auto efficiency = [](const label N, const label N0)
@@ -300,43 +135,47 @@ void Foam::aerosol::agglomerationTables::writeRow
         return N0 ? 1 - scalar(N)/N0 : 0;
     };
 
-    writeTime(os, time);
-    writeCount(os, now.size);
-    writeNumber(os, now.size/volume);
-    writeNumber(os, efficiency(now.size, N0));
-    writeNumber(os, efficiency(now.sizePM25, N0PM25));
-    writeNumber(os, now.countMedianDiameter);
-    writeNumber(os, now.massMedianDiameter);
-    writeNumber(os, now.GSD);
-    writeNumber(os, now.largestDiameter);
-    writeCount(os, contacts);
-    writeNumber(os, now.mass, 16);
-    writeNumber(os, now.momentum.x(), 16);
-    writeNumber(os, now.momentum.y(), 16);
-    writeNumber(os, now.momentum.z(), 16);
-    endRow(os);
+    *agglomeration_
+        << time << now.size << now.size/volume
+        << efficiency(now.size, N0) << efficiency(now.sizePM25, N0PM25)
+        << now.countMedianDiameter << now.massMedianDiameter << now.GSD
+        << now.largestDiameter << contacts << now.mass
+        << now.momentum.x() << now.momentum.y() << now.momentum.z();
+
+    agglomeration_->endRow();
+    agglomeration_->flush();
 }
 
 
 void Foam::aerosol::agglomerationTables::writeSizes
 (
     const scalar time,
-    const scalars& d
+    const particleArrays& all
 )
 {
-    if (!sizes_.valid())
+    if (!sizes_)
     {
         return;
     }
 
-    OFstream& os = *sizes_;
+    const integers number = aerosolStatistics::histogram(all.d, edges_);
+    const scalars mass = aerosolStatistics::histogram(all.d, edges_, all.m);
 
-    writeTime(os, time);
-    for (const std::int64_t count : aerosolStatistics::histogram(d, edges_))
+    for (Eigen::Index k = 0; k < number.size(); ++k)
     {
-        writeCount(os, count);
+        *sizes_
+            << time << (k > 0 ? edges_(k - 1) : 0)
+            << (
+                   k < edges_.size()
+                 ? edges_(k)
+                 : std::numeric_limits<double>::infinity()
+               )
+            << number(k) << mass(k);
+
+        sizes_->endRow();
     }
-    endRow(os);
+
+    sizes_->flush();
 }
 
 
@@ -345,29 +184,23 @@ void Foam::aerosol::agglomerationTables::writeContacts
     const std::vector<collisions::record>& met
 )
 {
-    if (!collisions_.valid() || met.empty())
+    if (!contacts_)
     {
         return;
     }
 
-    OFstream& os = *collisions_;
-
     for (const collisions::record& contact : met)
     {
-        writeTime(os, contact.time);
-        writeCount(os, contact.id1);
-        writeCount(os, contact.id2);
-        writeNumber(os, contact.d1);
-        writeNumber(os, contact.d2);
-        writeNumber(os, contact.speed);
-        writeNumber(os, radToDeg(contact.angle));
-        writeTabbed
-        (
-            os,
-            contact.merged ? "stick" : contact.bounced ? "bounce" : "none"
-        );
-        endRow(os);
+        *contacts_
+            << contact.time << contact.id1 << contact.id2
+            << contact.d1 << contact.d2
+            << contact.speed << radToDeg(contact.angle)
+            << (contact.merged ? "stick" : contact.bounced ? "bounce" : "none");
+
+        contacts_->endRow();
     }
+
+    contacts_->flush();
 }
 
 
@@ -376,24 +209,21 @@ void Foam::aerosol::agglomerationTables::writeBreakages
     const std::vector<fragmentation::record>& broken
 )
 {
-    if (!fragmentation_.valid() || broken.empty())
+    if (!breakages_)
     {
         return;
     }
 
-    OFstream& os = *fragmentation_;
-
     for (const fragmentation::record& one : broken)
     {
-        writeTime(os, one.time);
-        writeCount(os, one.id);
-        writeCount(os, one.newId);
-        writeNumber(os, one.d);
-        writeNumber(os, one.dNew);
-        writeCount(os, one.primaries);
-        writeCount(os, one.primariesNew);
-        endRow(os);
+        *breakages_
+            << one.time << one.id << one.d << one.primaries
+            << one.newId << one.dNew << one.primariesNew;
+
+        breakages_->endRow();
     }
+
+    breakages_->flush();
 }
 
 

@@ -7,6 +7,7 @@
 
 #include "aerosolStatistics.H"
 #include "checkedEntry.H"
+#include "functionObject.H"
 #include "fvMesh.H"
 #include "Switch.H"
 #include "Time.H"
@@ -37,6 +38,7 @@ Foam::aerosol::cloudTables::cloudTables
         )
     ),
     nextRow_(0),
+    lastRow_(-VGREAT),
     initialNumber_(0),
     initialNumberPM25_(0)
 {}
@@ -70,14 +72,25 @@ void Foam::aerosol::cloudTables::load(const dictionary& state)
 }
 
 
-void Foam::aerosol::cloudTables::open(const word& cloudName)
+void Foam::aerosol::cloudTables::open
+(
+    const word& cloudName,
+    const bool isNew
+)
 {
+    const Time& time = mesh_.time();
+
+    const tableFolder folder
+    (
+        time.globalPath()/functionObject::outputPrefix/cloudName,
+        time.value(),
+        1e-6*time.deltaTValue() + 1e-15*mag(time.value()),
+        isNew
+    );
+
     files_.reset
     (
-        new agglomerationTables
-        (
-            mesh_, sizeBins_, contacts_, cloudName, breakages_
-        )
+        new agglomerationTables(folder, sizeBins_, contacts_, breakages_)
     );
 }
 
@@ -115,6 +128,8 @@ void Foam::aerosol::cloudTables::add
         contacts
     );
 
+    lastRow_ = now;
+
     // Rows at whole intervals, also after a restart
     const scalar reached = now + 0.5*time.deltaTValue();
     nextRow_ = interval_*(std::floor(reached/interval_ + 1e-6) + 1);
@@ -126,7 +141,7 @@ void Foam::aerosol::cloudTables::add
      || last
     )
     {
-        files_->writeSizes(now, all.d);
+        files_->writeSizes(now, all);
     }
 }
 

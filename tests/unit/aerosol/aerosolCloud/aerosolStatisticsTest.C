@@ -10,7 +10,7 @@
 #include "agglomerationTables.H"
 
 #include "OSspecific.H"
-#include "Time.H"
+#include "tableFolder.H"
 
 #include <gtest/gtest.h>
 
@@ -45,8 +45,8 @@ particleArrays particlesOf(const std::vector<double>& d)
 }
 
 
-//- A case without a mesh in a temporary directory
-class temporaryTime
+//- Tables in a temporary directory
+class temporaryFolder
 {
     const fileName dir_;
 
@@ -56,45 +56,38 @@ class temporaryTime
         return mkdtemp(name);
     }
 
-    static dictionary controlDict(const scalar startTime)
-    {
-        dictionary dict;
-        dict.add("startFrom", word("startTime"));
-        dict.add("startTime", startTime);
-        dict.add("deltaT", 1);
-        dict.add("endTime", 10);
-        dict.add("writeInterval", 1);
-        return dict;
-    }
-
 public:
 
-    Time runTime;
-
-    explicit temporaryTime(const scalar startTime = 0)
+    temporaryFolder()
     :
-        dir_(newDirectory()),
-        runTime
-        (
-            controlDict(startTime),
-            dir_.path(),
-            dir_.name(),
-            "system",
-            "constant",
-            false,
-            false
-        )
+        dir_(newDirectory())
     {}
 
-    ~temporaryTime()
+    ~temporaryFolder()
     {
         rmDir(dir_);
     }
 
-    //- A file of postProcessing/aerosol, line by line
+    tableFolder tables(const double start = 0, const bool isNew = true) const
+    {
+        return tableFolder(dir_, start, 1e-6, isNew);
+    }
+
+    fileName write(const fileName& name, const std::string& text) const
+    {
+        std::ofstream(dir_/name) << text;
+        return dir_/name;
+    }
+
+    std::string text(const fileName& name) const
+    {
+        std::ifstream file(dir_/name);
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+
     std::vector<std::string> lines(const fileName& name) const
     {
-        std::ifstream file(dir_/"postProcessing"/"aerosol"/name);
+        std::istringstream file(text(name));
         std::vector<std::string> result;
         for (std::string line; std::getline(file, line); )
         {
@@ -105,10 +98,16 @@ public:
 };
 
 
-std::vector<std::string> words(const std::string& line)
+//- Of a row
+std::vector<std::string> values(const std::string& line)
 {
     std::istringstream in(line);
-    return {std::istream_iterator<std::string>(in), {}};
+    std::vector<std::string> result;
+    for (std::string value; std::getline(in, value, ','); )
+    {
+        result.push_back(value);
+    }
+    return result;
 }
 
 
@@ -301,100 +300,154 @@ TEST(agglomerationTables, givenBinsAreChecked)
 
 TEST(agglomerationTables, rowsAreReadable)
 {
-    temporaryTime c;
-    agglomerationTables tables(c.runTime, someBins());
+    temporaryFolder c;
+    agglomerationTables tables(c.tables(), someBins());
     const particleArrays p(particlesOf({1e-6, 2e-6, 4e-6}));
     const aerosolStatistics now(p);
 
     tables.writeRow(1.0/3, now, 12, 4, 1e-9, 1234567890123);
 
     // Read while the tables are still open: nothing may wait in a buffer
-    const auto lines = c.lines("0/agglomeration.dat");
-    ASSERT_GT(lines.size(), 1u);
+    const auto lines = c.lines("agglomeration.csv");
+    ASSERT_EQ(lines.size(), 2u);
 
-    const auto names = words(lines[lines.size() - 2]);
-    const auto row = words(lines.back());
+    const auto names = values(lines[0]);
+    const auto row = values(lines[1]);
 
-    // One name for each column, and # before them
     ASSERT_EQ(row.size(), 14u);
-    ASSERT_EQ(names.size(), 15u);
-    EXPECT_EQ(names[0], "#");
+    ASSERT_EQ(names.size(), 14u);
 
     std::map<std::string, std::string> value;
     for (unsigned k = 0; k < row.size(); ++k)
     {
-        value[names[k + 1]] = row[k];
+        value[names[k]] = row[k];
     }
 
-    EXPECT_EQ(value["time[s]"], "3.333333333333333e-01");
-    EXPECT_EQ(value["particles"], "3");
-    EXPECT_EQ(value["concentration[1/m3]"], "3.000000000e+09");
-    EXPECT_EQ(value["efficiency"], "7.500000000e-01");
-    EXPECT_EQ(value["efficiencyPM2.5"], "5.000000000e-01");
-    EXPECT_EQ(value["CMD[m]"], "2.000000000e-06");
-    EXPECT_EQ(value["MMD[m]"], "4.000000000e-06");
-    EXPECT_EQ(value["dMax[m]"], "4.000000000e-06");
+    EXPECT_EQ(std::stod(value["time_s"]), 1.0/3);
+    EXPECT_EQ(value["number"], "3");
+    EXPECT_NEAR(std::stod(value["concentration_per_m3"]), 3e9, 1e-5);
+    EXPECT_EQ(value["efficiency"], "0.75");
+    EXPECT_EQ(value["efficiency_PM2_5"], "0.5");
+    EXPECT_EQ(value["CMD_m"], "2e-06");
+    EXPECT_EQ(value["MMD_m"], "4e-06");
+    EXPECT_EQ(value["dMax_m"], "4e-06");
     EXPECT_EQ(value["contacts"], "1234567890123");
-    EXPECT_NEAR(std::stod(value["GSD"]), now.GSD, 1e-9);
-    EXPECT_NEAR(std::stod(value["mass[kg]"])/now.mass, 1, 2e-15);
+    EXPECT_EQ(std::stod(value["GSD"]), now.GSD);
+    EXPECT_EQ(std::stod(value["mass_kg"]), now.mass);
     for (const int cmpt : {0, 1, 2})
     {
         const std::string name
         (
-            std::string("momentum") + "XYZ"[cmpt] + "[kg.m/s]"
+            std::string("momentum_") + "xyz"[cmpt] + "_kg_m_per_s"
         );
-        EXPECT_NEAR(std::stod(value[name])/now.momentum(cmpt), 1, 2e-15);
+        EXPECT_EQ(std::stod(value[name]), now.momentum(cmpt));
     }
 }
 
 
 TEST(agglomerationTables, sizesAreReadable)
 {
-    temporaryTime c;
-    agglomerationTables tables(c.runTime, someBins());
+    temporaryFolder c;
+    agglomerationTables tables(c.tables(), someBins());
+    const particleArrays p
+    (
+        particlesOf({0.9e-6, 1e-6, 1e-6, 7.9e-6, 8e-6})
+    );
 
-    tables.writeSizes(0.5, particlesOf({0.9e-6, 1e-6, 1e-6, 7.9e-6, 8e-6}).d);
+    tables.writeSizes(0.5, p);
 
-    const auto lines = c.lines("0/sizeDistribution.dat");
-    ASSERT_GT(lines.size(), 2u);
+    const auto lines = c.lines("sizeDistribution.csv");
+    ASSERT_EQ(lines.size(), 1u + 34);
+    EXPECT_EQ(lines[0], "time_s,lower_m,upper_m,number,mass_kg");
 
-    const auto edges = words(lines[lines.size() - 3]);
-    ASSERT_EQ(edges.size(), 2u + 33);
-    EXPECT_EQ(edges[1], "edges[m]");
-    EXPECT_EQ(std::stod(edges[2]), 1e-6);
-    EXPECT_EQ(std::stod(edges.back()), 8e-6);
+    const auto below = values(lines[1]);
+    EXPECT_EQ(below[0], "0.5");
+    EXPECT_EQ(below[1], "0");
+    EXPECT_EQ(below[2], "1e-06");
+    EXPECT_EQ(below[3], "1");
 
-    const auto row = words(lines.back());
-    ASSERT_EQ(row.size(), 1u + 34);
-    EXPECT_EQ(std::stod(row[0]), 0.5);
-    EXPECT_EQ(row[1], "1") << "below the bins";
-    EXPECT_EQ(row[2], "2") << "the first bin";
-    EXPECT_EQ(row[3], "0");
-    EXPECT_EQ(row[33], "1") << "the last bin";
-    EXPECT_EQ(row[34], "1") << "above the bins";
+    EXPECT_EQ(values(lines[2])[3], "2") << "the first bin";
+    EXPECT_EQ(std::stod(values(lines[2])[4]), p.m(1) + p.m(2));
+    EXPECT_EQ(values(lines[3])[3], "0");
+    EXPECT_EQ(values(lines[33])[3], "1") << "the last bin";
+
+    const auto above = values(lines[34]);
+    EXPECT_EQ(above[1], "8e-06");
+    EXPECT_EQ(above[2], "inf");
+    EXPECT_EQ(above[3], "1");
+    EXPECT_EQ(std::stod(above[4]), p.m(4));
 }
 
 
-TEST(agglomerationTables, replaceNoFile)
+TEST(agglomerationTables, areContinued)
 {
-    temporaryTime c(2);
+    temporaryFolder c;
     const aerosolStatistics s(particlesOf({1e-6}));
 
-    for (const label contacts : {1, 2, 3})
+    const auto run = [&](const double start, const bool isNew)
     {
-        agglomerationTables tables(c.runTime, someBins());
-        tables.writeRow(2, s, 1, 1, 1, contacts);
-    }
+        agglomerationTables tables(c.tables(start, isNew), someBins());
+        for (int k = 0; k < 3; ++k)
+        {
+            tables.writeRow(start + k, s, 1, 1, 1, 0);
+        }
 
-    const auto contacts = [&c](const fileName& name)
-    {
-        const auto lines = c.lines(name);
-        return lines.empty() ? "no such file" : words(lines.back()).at(9);
+        std::string times;
+        for (const std::string& line : c.lines("agglomeration.csv"))
+        {
+            times += values(line)[0] + ' ';
+        }
+        return times;
     };
 
-    EXPECT_EQ(contacts("2/agglomeration.dat"), "1");
-    EXPECT_EQ(contacts("2/agglomeration_2.dat"), "2");
-    EXPECT_EQ(contacts("2/agglomeration_3.dat"), "3");
+    EXPECT_EQ(run(0, true), "time_s 0 1 2 ");
+    EXPECT_EQ(run(2, false), "time_s 0 1 2 3 4 ");
+    EXPECT_EQ(run(1, false), "time_s 0 1 2 3 ");
+    EXPECT_TRUE(c.lines("agglomeration.csv.previous").empty());
+
+    EXPECT_EQ(run(5, true), "time_s 5 6 7 ");
+    EXPECT_EQ(c.lines("agglomeration.csv.previous").size(), 5u);
+
+    // From before all that is there: that is of another run
+    EXPECT_EQ(run(3, false), "time_s 3 4 5 ");
+    EXPECT_EQ(c.lines("agglomeration.csv.previous").size(), 4u);
+}
+
+
+TEST(tableFile, rowsThatAreCutOffAreRemoved)
+{
+    temporaryFolder c;
+    const std::string whole("time_s,a\n0,1\n1,2\n");
+
+    const std::vector<std::pair<std::string, std::string>> cases
+    ({
+        {whole + "2,", whole},
+        {whole + "2", whole},
+        {whole + "2\n3,4\n", whole},
+        {whole + std::string(20, '\0') + '\n', whole},
+        {whole + "2,3\n1,4\n", whole},
+        {"time_s,a\n", "time_s,a\n"},
+        {"time", ""},
+        {"", ""}
+    });
+
+    for (const auto& [before, after] : cases)
+    {
+        const fileName file(c.write("a.csv", before));
+        tableFile::removeAfter(file, 1, 1e-9);
+        EXPECT_EQ(c.text("a.csv"), after) << before;
+    }
+}
+
+
+TEST(tableFile, numbersAreExact)
+{
+    for (const double x : {0.1, 1.0/3, 1e-300, -2.5e-6, 1.5e6 + 5e-6, 1e22})
+    {
+        EXPECT_EQ(std::stod(tableFile::text(x)), x);
+    }
+    EXPECT_EQ(tableFile::text(0.1), "0.1");
+    EXPECT_EQ(tableFile::text(3), "3");
 }
 
 
