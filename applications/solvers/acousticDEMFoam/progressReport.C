@@ -5,6 +5,7 @@
 
 #include "progressReport.H"
 #include "checkedEntry.H"
+#include "FixedList.H"
 #include "foamVersion.H"
 #include "Pstream.H"
 #include "Time.H"
@@ -56,22 +57,46 @@ Foam::progressReport::progressReport(const Time& time)
         readNonNegative(time.controlDict(), "reportInterval", dimTime, 5)
     ),
     lastClock_(time.elapsedClockTime()),
-    lastStep_(time.timeIndex())
+    lastStep_(time.timeIndex()),
+    looked_(clock::now()),
+    every_(1),
+    nextLook_(time.timeIndex())
 {}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::progressReport::due() const
+bool Foam::progressReport::due()
 {
-    bool now =
-        time_.elapsedClockTime() >= lastClock_ + interval_
-     || time_.value() > time_.endTime().value() - 0.5*time_.deltaTValue();
+    if (time_.value() > time_.endTime().value() - 0.5*time_.deltaTValue())
+    {
+        return true;
+    }
+    if (time_.timeIndex() < nextLook_)
+    {
+        return false;
+    }
 
-    // The clocks of the ranks differ
-    broadcast(now);
+    const clock::time_point now = clock::now();
+    const scalar seconds =
+        std::chrono::duration<scalar>(now - looked_).count();
 
-    return now;
+    looked_ = now;
+
+    // The clocks of the ranks differ: the first one decides, for all steps up
+    // to the next look
+    FixedList<label, 2> decision;
+    decision[0] = time_.elapsedClockTime() >= lastClock_ + interval_;
+    decision[1] = static_cast<label>
+    (
+        min(max(lookShare*interval_*every_/max(seconds, SMALL), 1), mostSteps)
+    );
+    broadcast(decision);
+
+    every_ = decision[1];
+    nextLook_ = time_.timeIndex() + every_;
+
+    return decision[0];
 }
 
 

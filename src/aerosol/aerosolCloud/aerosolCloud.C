@@ -324,6 +324,7 @@ void Foam::aerosol::aerosolCloud::tabulate(const bool last)
 {
     if (tables_.due(last))
     {
+        domainCheck_.warnOfGrowth();
         tables_.add
         (
             inChamber(),
@@ -490,8 +491,6 @@ void Foam::aerosol::aerosolCloud::evolve()
     {
         timeStepping_->migrate(particles_);
     }
-
-    domainCheck_.warnOfGrowth();
 
     tables_.add(collisions_.takeRecords(), fragmentation_.takeRecords());
     tabulate(lastStep());

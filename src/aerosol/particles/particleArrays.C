@@ -6,6 +6,7 @@
 #include "particleArrays.H"
 
 #include <algorithm>
+#include <numeric>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -244,14 +245,10 @@ Foam::aerosol::particleArrays Foam::aerosol::particleArrays::select
 }
 
 
-void Foam::aerosol::particleArrays::replace
-(
-    const int i,
-    const particleArrays& by
-)
+void Foam::aerosol::particleArrays::append(const particleArrays& by)
 {
     const int before = size();
-    const int n = before + by.size() - 1;
+    const int n = before + by.size();
 
     for (integers* values : {&id, &primaries})
     {
@@ -281,8 +278,25 @@ void Foam::aerosol::particleArrays::replace
     for (int k = 0; k < by.size(); ++k)
     {
         by.pack(k, numbers.data());
-        unpack(k ? before + k - 1 : i, numbers.data());
+        unpack(before + k, numbers.data());
     }
+}
+
+
+void Foam::aerosol::particleArrays::replace
+(
+    const int i,
+    const particleArrays& by
+)
+{
+    std::vector<double> numbers(packedNumbers());
+    std::vector<int> others(by.size() - 1);
+
+    std::iota(others.begin(), others.end(), 1);
+    append(by.select(others));
+
+    by.pack(0, numbers.data());
+    unpack(i, numbers.data());
 }
 
 

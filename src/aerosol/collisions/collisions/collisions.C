@@ -306,7 +306,11 @@ Foam::aerosol::collisions::takeImpacts()
 
 void Foam::aerosol::collisions::share()
 {
-    if (communicator::max(newlyRefused_.size() + newImpacts_.size()) == 0)
+    if
+    (
+        communicator::worksAlone()
+     || communicator::max(newlyRefused_.size() + newImpacts_.size()) == 0
+    )
     {
         return;
     }

@@ -14,6 +14,7 @@ Foam::aerosol::neighbourWakes::neighbourWakes
     stepCounters& counters
 )
 :
+    domain_(region),
     motion_(motion),
     counters_(counters),
     list_(region),
@@ -72,7 +73,8 @@ void Foam::aerosol::neighbourWakes::search
     const scalars& skin
 )
 {
-    list_.pairs().clear();
+    // The last list may have been one of particles that are not shared out
+    list_ = neighbourList(domain_);
 
     if (motion_.wakes().active())
     {

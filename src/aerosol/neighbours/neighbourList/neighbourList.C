@@ -7,6 +7,7 @@
 #include "communicator.H"
 
 #include <algorithm>
+#include <map>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -88,6 +89,38 @@ void Foam::aerosol::neighbourList::findActing
     {
         grid.acting(ghosts_.n(), ids, pairs_);
     }
+}
+
+
+void Foam::aerosol::neighbourList::set
+(
+    const int n,
+    std::vector<particlePair> pairs
+)
+{
+    std::map<std::pair<int, periods>, int> ghostOf;
+    std::vector<std::pair<int, periods>> images;
+
+    for (particlePair& pair : pairs)
+    {
+        if (pair.image != periods{0, 0, 0})
+        {
+            const auto added = ghostOf.insert
+            ({
+                {pair.j, pair.image}, static_cast<int>(images.size())
+            });
+
+            if (added.second)
+            {
+                images.push_back(added.first->first);
+            }
+            pair.j = n + added.first->second;
+            pair.image = {};    // the ghost is there already
+        }
+    }
+
+    pairs_ = std::move(pairs);
+    ghosts_.set(n, std::move(images));
 }
 
 

@@ -6,20 +6,34 @@
 #include "communicator.H"
 #include "Pstream.H"
 #include "PstreamReduceOps.H"
+#include "UIPstream.H"
+#include "UOPstream.H"
+#include "vector2D.H"
 
 #include <algorithm>
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+int Foam::aerosol::communicator::alone_ = 0;
+
 
 // * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
 
 int Foam::aerosol::communicator::nRanks()
 {
-    return Pstream::parRun() ? Pstream::nProcs() : 1;
+    return Pstream::parRun() && !alone_ ? Pstream::nProcs() : 1;
 }
 
 
 int Foam::aerosol::communicator::rank()
 {
-    return Pstream::parRun() ? Pstream::myProcNo() : 0;
+    return Pstream::parRun() && !alone_ ? Pstream::myProcNo() : 0;
+}
+
+
+bool Foam::aerosol::communicator::worksAlone()
+{
+    return Pstream::parRun() && alone_;
 }
 
 
@@ -48,6 +62,61 @@ Foam::aerosol::messages Foam::aerosol::communicator::exchange(messages send)
     }
 
     return send;
+}
+
+
+Foam::aerosol::messages Foam::aerosol::communicator::exchange
+(
+    messages send,
+    const std::vector<std::size_t>& lengths
+)
+{
+    if (send.size() == 1)
+    {
+        return send;
+    }
+
+    const int n = static_cast<int>(send.size());
+    const label firstRequest = Pstream::nRequests();
+    messages received(n);
+
+    for (int from = 0; from < n; ++from)
+    {
+        if (from != rank() && lengths[from])
+        {
+            std::vector<double>& message = received[from];
+            message.resize(lengths[from]);
+
+            UIPstream::read
+            (
+                Pstream::commsTypes::nonBlocking,
+                from,
+                reinterpret_cast<char*>(message.data()),
+                message.size()*sizeof(double)
+            );
+        }
+    }
+
+    for (int to = 0; to < n; ++to)
+    {
+        const std::vector<double>& message = send[to];
+
+        if (to != rank() && !message.empty())
+        {
+            UOPstream::write
+            (
+                Pstream::commsTypes::nonBlocking,
+                to,
+                reinterpret_cast<const char*>(message.data()),
+                message.size()*sizeof(double)
+            );
+        }
+    }
+
+    received[rank()] = std::move(send[rank()]);
+    Pstream::waitRequests(firstRequest);
+
+    return received;
 }
 
 
@@ -85,16 +154,23 @@ double Foam::aerosol::communicator::sum(const double value)
 
 Eigen::Vector3d Foam::aerosol::communicator::mean
 (
-    Eigen::Vector3d total,
+    const Eigen::Vector3d& total,
     const int n
 )
 {
-    for (int k = 0; k < 3; ++k)
+    // OpenFOAM reduces two numbers at once
+    vector2D first(total(0), total(1));
+    vector2D last(total(2), n);
+
+    if (nRanks() > 1)
     {
-        total(k) = sum(total(k));
+        reduce(first, sumOp<vector2D>());
+        reduce(last, sumOp<vector2D>());
     }
 
-    return total/std::max(sum(n), 1.0);
+    return
+        Eigen::Vector3d(first.x(), first.y(), last.x())
+       /std::max(last.y(), 1.0);
 }
 
 

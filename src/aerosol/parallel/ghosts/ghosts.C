@@ -242,6 +242,47 @@ void Foam::aerosol::ghosts::build
 }
 
 
+void Foam::aerosol::ghosts::set
+(
+    const int n,
+    std::vector<std::pair<int, periods>> images
+)
+{
+    n_ = n;
+    image_.clear();
+
+    for (const auto& one : images)
+    {
+        image_.push_back(one.second);
+    }
+
+    received_[0] = static_cast<int>(images.size());
+    sent_[0] = std::move(images);
+}
+
+
+std::vector<int> Foam::aerosol::ghosts::originals() const
+{
+    std::vector<int> all;
+    all.reserve(nGhosts());
+
+    for (int rank = 0; rank < decomposition_.n(); ++rank)
+    {
+        if (rank != decomposition_.own())
+        {
+            all.insert(all.end(), received_[rank], -1);
+            continue;
+        }
+        for (const auto& one : sent_[rank])
+        {
+            all.push_back(one.first);
+        }
+    }
+
+    return all;
+}
+
+
 void Foam::aerosol::ghosts::renumber
 (
     const std::vector<int>& places,
@@ -288,7 +329,13 @@ std::vector<int> Foam::aerosol::ghosts::keep(const std::vector<char>& marks)
 
     image_.resize(n);
 
-    const messages back = communicator::exchange(std::move(send));
+    std::vector<std::size_t> lengths;
+    for (const auto& list : sent_)
+    {
+        lengths.push_back(list.size());
+    }
+
+    const messages back = communicator::exchange(std::move(send), lengths);
 
     for (int rank = 0; rank < decomposition_.n(); ++rank)
     {
@@ -326,55 +373,77 @@ std::vector<char> Foam::aerosol::ghosts::sent() const
 }
 
 
-void Foam::aerosol::ghosts::fill(const std::vector<quantity>& quantities) const
+void Foam::aerosol::ghosts::fill(const std::vector<filling>& all)
 {
-    int rows = 0;
-    for (const quantity& q : quantities)
+    const int n = all[0].layer->decomposition_.n();
+
+    messages send(n);
+    std::vector<std::size_t> lengths(n, 0);
+
+    for (const filling& one : all)
     {
-        rows += q.rows_;
-    }
+        const ghosts& layer = *one.layer;
+        const auto& quantities = one.quantities;
 
-    messages send(decomposition_.n());
-
-    for (int rank = 0; rank < decomposition_.n(); ++rank)
-    {
-        send[rank].resize(rows*sent_[rank].size());
-        double* to = send[rank].data();
-
-        for (const auto& one : sent_[rank])
+        int rows = 0;
+        for (const quantity& q : quantities)
         {
-            for (const quantity& q : quantities)
+            rows += q.rows_;
+        }
+
+        for (int rank = 0; rank < n; ++rank)
+        {
+            const std::size_t before = send[rank].size();
+            const auto& sent = layer.sent_[rank];
+
+            lengths[rank] += rows*layer.received_[rank];
+            send[rank].resize(before + rows*sent.size());
+            double* to = send[rank].data() + before;
+
+            for (const auto& image : sent)
             {
-                for (int k = 0; k < q.rows_; ++k)
+                for (const quantity& q : quantities)
                 {
-                    *to = q.own_[q.rows_*one.first + k];
-
-                    if (q.isPosition_)
+                    for (int k = 0; k < q.rows_; ++k)
                     {
-                        *to += one.second[k]*period_(k);
-                    }
+                        *to = q.own_[q.rows_*image.first + k];
 
-                    ++to;
+                        if (q.isPosition_)
+                        {
+                            *to += image.second[k]*layer.period_(k);
+                        }
+
+                        ++to;
+                    }
                 }
             }
         }
     }
 
-    const messages received = communicator::exchange(std::move(send));
+    const messages received = communicator::exchange(std::move(send), lengths);
 
-    int ghost = 0;
-
-    for (int rank = 0; rank < decomposition_.n(); ++rank)
+    std::vector<const double*> from;
+    for (const std::vector<double>& message : received)
     {
-        const double* from = received[rank].data();
+        from.push_back(message.data());
+    }
 
-        for (int m = 0; m < received_[rank]; ++m, ++ghost)
+    for (const filling& one : all)
+    {
+        int ghost = 0;
+
+        for (int rank = 0; rank < n; ++rank)
         {
-            for (const quantity& q : quantities)
+            const double*& next = from[rank];
+
+            for (int m = 0; m < one.layer->received_[rank]; ++m, ++ghost)
             {
-                for (int k = 0; k < q.rows_; ++k)
+                for (const quantity& q : one.quantities)
                 {
-                    q.ghosts_[q.rows_*ghost + k] = *from++;
+                    for (int k = 0; k < q.rows_; ++k)
+                    {
+                        q.ghosts_[q.rows_*ghost + k] = *next++;
+                    }
                 }
             }
         }
@@ -382,34 +451,77 @@ void Foam::aerosol::ghosts::fill(const std::vector<quantity>& quantities) const
 }
 
 
+void Foam::aerosol::ghosts::spreadMax
+(
+    const std::vector<std::pair<const ghosts*, scalars*>>& all
+)
+{
+    const int n = all[0].first->decomposition_.n();
+
+    messages send(n);
+    std::vector<std::size_t> lengths(n, 0);
+
+    for (const auto& one : all)
+    {
+        const ghosts& layer = *one.first;
+        const double* next = one.second->data() + layer.n_;
+
+        for (int rank = 0; rank < n; ++rank)
+        {
+            const double* const end = next + layer.received_[rank];
+
+            lengths[rank] += layer.sent_[rank].size();
+            send[rank].insert(send[rank].end(), next, end);
+            next = end;
+        }
+    }
+
+    const messages back = communicator::exchange(std::move(send), lengths);
+
+    std::vector<const double*> from;
+    for (const std::vector<double>& message : back)
+    {
+        from.push_back(message.data());
+    }
+
+    // The first one collects what the originals get
+    const int own = all[0].first->n_;
+    auto largest = all[0].second->head(own);
+
+    for (const auto& one : all)
+    {
+        for (int rank = 0; rank < n; ++rank)
+        {
+            for (const auto& image : one.first->sent_[rank])
+            {
+                largest(image.first) =
+                    std::max(largest(image.first), *from[rank]++);
+            }
+        }
+        largest = largest.max(one.second->head(own));
+    }
+
+    std::vector<filling> fillings;
+
+    for (const auto& one : all)
+    {
+        one.second->head(own) = largest;
+        fillings.push_back({one.first, {quantity(*one.second, *one.first)}});
+    }
+
+    fill(fillings);
+}
+
+
+void Foam::aerosol::ghosts::fill(const std::vector<quantity>& quantities) const
+{
+    fill({filling{this, quantities}});
+}
+
+
 void Foam::aerosol::ghosts::spreadMax(scalars& values) const
 {
-    messages send(decomposition_.n());
-    int ghost = n_;
-
-    for (int rank = 0; rank < decomposition_.n(); ++rank)
-    {
-        send[rank].resize(received_[rank]);
-
-        for (double& value : send[rank])
-        {
-            value = values(ghost++);
-        }
-    }
-
-    const messages back = communicator::exchange(std::move(send));
-
-    for (int rank = 0; rank < decomposition_.n(); ++rank)
-    {
-        const double* from = back[rank].data();
-
-        for (const auto& one : sent_[rank])
-        {
-            values(one.first) = std::max(values(one.first), *from++);
-        }
-    }
-
-    fill({quantity(values, *this)});
+    spreadMax({{this, &values}});
 }
 
 

@@ -160,40 +160,53 @@ bool Foam::aerosol::eventDriven::advanceBusy
 )
 {
     particleArrays& p = ahead_.busy();
-    const stepGas gas = sampler_.whenAsked(p, step, true);
-
+    stepGas gas;
     stepEnd end;
-    std::vector<char> absorbed;
+    bool within;
+    bool goesOn;
 
-    mover_.moveWithoutWakes(step, p, gas, end);
-    ahead_.beginStep(step, end);
+    {
+        const communicator::alone here;
 
-    const Eigen::Vector3d& mean = ahead_.displacement();
+        gas = sampler_.whenAsked(p, step, true);
+        mover_.moveWithoutWakes(step, p, gas, end);
+        ahead_.beginStep(step, end);
+        finder_.findWakes(ahead_.wakes(), p, end, ahead_.displacement());
+        wakes_.move(step.h, p, gas, true, end);
+        within = ahead_.within(end);
+    }
 
-    finder_.findWakes(ahead_.wakes(), p, end, mean);
-    wakes_.move(step.h, p, gas, true, end);
-
-    if (!ahead_.within(end))
+    if (communicator::max(!within) > 0)
     {
         ahead_.abandonStep();
         return false;
     }
 
-    if (with_.collisions.active())
     {
-        absorbed = collide
-        (
-            p,
-            gas,
-            finder_.find(ahead_.contacts(), p, end, mean, step.h),
-            step,
-            0,
-            end
-        );
+        const communicator::alone here;
+        std::vector<char> absorbed;
+
+        if (with_.collisions.active())
+        {
+            absorbed = collide
+            (
+                p,
+                gas,
+                finder_.find
+                (
+                    ahead_.contacts(), p, end, ahead_.displacement(), step.h
+                ),
+                step,
+                0,
+                end
+            );
+        }
+
+        end.accept(p);
+        goesOn = ahead_.endStep(exchange_.returned(), absorbed);
     }
 
-    end.accept(p);
-    last = !ahead_.endStep(exchange_.returned(), absorbed);
+    last = communicator::max(!goesOn) > 0;
 
     return true;
 }
@@ -213,6 +226,7 @@ void Foam::aerosol::eventDriven::endLookAhead(particleArrays& p)
 
     if (with_.collisions.active())
     {
+        with_.collisions.share();
         finder_.update(p, absorbed, returned);
     }
 }

@@ -83,31 +83,44 @@ Foam::aerosol::listedPaths::listedPaths
     const int every
 )
 :
+    list_(list),
     n_(static_cast<int>(start.cols())),
     steps_(every*static_cast<int>((ends.size() + 1)/2)),
     ghostX_(ends.size() + 1),
     bulge_(bulge),
     furthest_(furthest)
 {
-    const ghosts& layer = list.layer();
+    own_.push_back(&start);
+
+    for (const vectors& x : ends)
+    {
+        own_.push_back(&x);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::aerosol::ghosts::filling Foam::aerosol::listedPaths::filling()
+{
+    const ghosts& layer = list_.layer();
     std::vector<ghosts::quantity> quantities
     {
         {furthest_, layer}, {bulge_, layer}
     };
 
-    for (std::size_t k = 0; k <= ends.size(); ++k)
-    {
-        const vectors& x = k ? ends[k - 1] : start;
+    x_.clear();
 
-        x_.push_back(x.data());
-        quantities.push_back({x, ghostX_[k], layer, true});
+    for (std::size_t k = 0; k < own_.size(); ++k)
+    {
+        x_.push_back(own_[k]->data());
+        quantities.push_back({*own_[k], ghostX_[k], layer, true});
     }
 
-    layer.fill(quantities);
+    return {&layer, quantities};
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 double Foam::aerosol::listedPaths::closest(const particlePair& pair) const
 {

@@ -60,6 +60,7 @@ Foam::aerosol::lookAhead::lookAhead
     response_(0),
     first_{0, 0, 0},
     every_(1),
+    exchange_(region),
     contacts_(region),
     wakes_(region)
 {}
@@ -255,11 +256,7 @@ bool Foam::aerosol::lookAhead::within
       + (v - aloneV_).colwise().norm().transpose().array();
 
     return
-        communicator::max
-        (
-            (perDistance*strayed + perStep*h*strayedSpeed > allowance_).any()
-        )
-     == 0;
+       !(perDistance*strayed + perStep*h*strayedSpeed > allowance_).any();
 }
 
 
@@ -283,7 +280,10 @@ bool Foam::aerosol::lookAhead::endStep
     strayed_.swap(strayed);
     strayedSpeed_.swap(strayedSpeed);
 
-    returned_.insert(returned_.end(), returned.begin(), returned.end());
+    for (const int i : returned)
+    {
+        returned_[i] = 1;
+    }
 
     bool ends = done_.size() == expected_.size();
 
@@ -296,17 +296,12 @@ bool Foam::aerosol::lookAhead::endStep
         }
     }
 
-    return allowed && communicator::max(ends) == 0;
+    return allowed && !ends;
 }
 
 
-void Foam::aerosol::lookAhead::bring(particleArrays& all) const
+void Foam::aerosol::lookAhead::moveResting(particleArrays& all) const
 {
-    if (!running_)
-    {
-        return;
-    }
-
     // The gas was what was expected, but for the rounding of times
     if (done_.size() == expected_.size())
     {
@@ -328,18 +323,17 @@ void Foam::aerosol::lookAhead::bring(particleArrays& all) const
         all.v.swap(v);
     }
 
-    for (std::size_t k = 0; k < home_.size(); ++k)
-    {
-        all.x.col(home_[k]) = busy_.x.col(k);
-        all.v.col(home_[k]) = busy_.v.col(k);
-    }
+}
 
-    std::vector<double> numbers(busy_.packedNumbers());
 
-    for (const int k : returned_)
+void Foam::aerosol::lookAhead::bring(particleArrays& all) const
+{
+    if (running_)
     {
-        busy_.pack(k, numbers.data());
-        all.unpack(home_[k], numbers.data());
+        std::vector<char> returned, absorbed;
+
+        moveResting(all);
+        exchange_.give(busy_, returned_, absorbed_, all, returned, absorbed);
     }
 }
 
@@ -351,22 +345,20 @@ Eigen::Vector3d Foam::aerosol::lookAhead::end
     std::vector<char>& absorbed
 )
 {
-    bring(all);
+    std::vector<char> marks;
+
+    moveResting(all);
+    exchange_.give(busy_, returned_, absorbed_, all, marks, absorbed);
 
     returned.clear();
-    absorbed.assign(all.size(), 0);
 
-    for (const int k : returned_)
+    for (int i = 0; i < all.size(); ++i)
     {
-        returned.push_back(home_[k]);
-        absorbed[home_[k]] = absorbed_[k];
+        if (marks[i])
+        {
+            returned.push_back(i);
+        }
     }
-
-    std::sort(returned.begin(), returned.end());
-    returned.erase
-    (
-        std::unique(returned.begin(), returned.end()), returned.end()
-    );
 
     Eigen::Vector3d moved = Eigen::Vector3d::Zero();
     for (const commonStep& step : done_)
@@ -384,8 +376,7 @@ Eigen::Vector3d Foam::aerosol::lookAhead::end
     if
     (
         2*done_.size() < expected_.size()
-     || communicator::sum(busy_.size())
-      > largestShare*communicator::sum(all.size())
+     || communicator::sum(busy_.size() - largestShare*all.size()) > 0
     )
     {
         pause();

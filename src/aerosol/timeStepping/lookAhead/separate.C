@@ -94,11 +94,20 @@ bool Foam::aerosol::lookAhead::separate(const particleArrays& p)
 
     // Wakes that will be felt, and how far they may carry particles
     const neighbourList& acting = finder_.wakeCandidates();
+    const neighbourList& touching = finder_.contacts();
+
+    listedPaths near(touching, p.x, x_, furthest_, bulge, every_);
+    std::vector<ghosts::filling> fillings{near.filling()};
+
     scalars range = p.range;
     scalars reach;
     scalars distance(acting.pairs().size());
 
-    if (withWakes)
+    if (!withWakes)
+    {
+        ghosts::fill(fillings);
+    }
+    else
     {
         // Oseen's wake at a distance of 1 m
         scalars strength =
@@ -113,10 +122,14 @@ bool Foam::aerosol::lookAhead::separate(const particleArrays& p)
             largestAllowance
            *std::cbrt(domain_.volume()/communicator::sum(n));
 
-        const listedPaths paths(acting, p.x, x_, furthest_, bulge, every_);
+        listedPaths paths(acting, p.x, x_, furthest_, bulge, every_);
         const ghosts& layer = acting.layer();
 
-        layer.fill({{strength, layer}, {range, layer}});
+        fillings.push_back(paths.filling());
+        fillings.back().quantities.push_back({strength, layer});
+        fillings.back().quantities.push_back({range, layer});
+        ghosts::fill(fillings);
+
         reach = encounterFinder::wakeMargin*paths.furthest();
 
         scalars speed = scalars::Zero(n);
@@ -176,34 +189,22 @@ bool Foam::aerosol::lookAhead::separate(const particleArrays& p)
 
     allowance_ = allowance_.min(room);
 
-    // The pairs, and those that are in one of them
     std::vector<particlePair> wakePairs;
     std::vector<particlePair> contactPairs;
-    std::vector<char> marked(n, 0);
 
-    const auto spread = [&](const neighbourList& list, const auto& pairs)
+    scalars allowed = allowance_;
+    scalars size =
+        allowance_ + (1 + encounterFinder::margin)*0.5*p.collisionDiameter;
+
+    fillings = {{&touching.layer(), {{size, touching.layer()}}}};
+    if (withWakes)
     {
-        scalars marks = scalars::Zero(list.layer().size());
-
-        for (const particlePair& pair : pairs)
-        {
-            marks(pair.i) = 1;
-            marks(pair.j) = 1;
-        }
-
-        list.layer().spreadMax(marks);
-
-        for (int i = 0; i < n; ++i)
-        {
-            marked[i] = marked[i] || marks(i) > 0;
-        }
-    };
+        fillings.push_back({&acting.layer(), {{allowed, acting.layer()}}});
+    }
+    ghosts::fill(fillings);
 
     if (withWakes)
     {
-        scalars allowed = allowance_;
-        acting.layer().fill({{allowed, acting.layer()}});
-
         for (std::size_t m = 0; m < acting.pairs().size(); ++m)
         {
             const particlePair& pair = acting.pairs()[m];
@@ -217,31 +218,21 @@ bool Foam::aerosol::lookAhead::separate(const particleArrays& p)
                 wakePairs.push_back(pair);
             }
         }
-
-        spread(acting, wakePairs);
     }
 
-    const neighbourList& touching = finder_.contacts();
-    const listedPaths paths(touching, p.x, x_, furthest_, bulge, every_);
-
-    scalars size =
-        allowance_ + (1 + encounterFinder::margin)*0.5*p.collisionDiameter;
-    touching.layer().fill({{size, touching.layer()}});
-    size += pathShare*paths.furthest();
+    size += pathShare*near.furthest();
 
     for (const particlePair& pair : touching.pairs())
     {
         const double far = size(pair.i) + size(pair.j);
 
-        if (paths.mayCome(pair, far) && paths.closest(pair) <= far)
+        if (near.mayCome(pair, far) && near.closest(pair) <= far)
         {
             contactPairs.push_back(pair);
         }
     }
 
-    spread(touching, contactPairs);
-
-    take(p, marked, std::move(wakePairs), std::move(contactPairs));
+    take(p, wakePairs, contactPairs);
 
     return true;
 }
@@ -250,42 +241,30 @@ bool Foam::aerosol::lookAhead::separate(const particleArrays& p)
 void Foam::aerosol::lookAhead::take
 (
     const particleArrays& p,
-    const std::vector<char>& marked,
-    std::vector<particlePair> wakePairs,
-    std::vector<particlePair> contactPairs
+    const std::vector<particlePair>& wakePairs,
+    const std::vector<particlePair>& contactPairs
 )
 {
-    const int n = p.size();
-    const bool withWakes = motion_.wakes().active();
-
-    home_.clear();
-    std::vector<int> place(n, -1);
-
-    for (int i = 0; i < n; ++i)
+    std::vector<pairsWithGhosts> pairs
     {
-        if (marked[i])
-        {
-            place[i] = static_cast<int>(home_.size());
-            home_.push_back(i);
-        }
+        {finder_.contacts().layer(), contactPairs}
+    };
+    std::vector<neighbourList*> lists{&contacts_};
+
+    if (motion_.wakes().active())
+    {
+        pairs.push_back({finder_.wakeCandidates().layer(), wakePairs});
+        lists.push_back(&wakes_);
     }
 
-    const int nBusy = static_cast<int>(home_.size());
+    exchange_.gather(p, pairs, allowance_, busy_, lists);
 
-    busy_ = p.select(home_);
-    strayed_.setZero(nBusy);
-    strayedSpeed_.setZero(nBusy);
-    allowance_ = scalars(allowance_(home_));
-    returned_.clear();
-    absorbed_.assign(nBusy, 0);
+    strayed_.setZero(busy_.size());
+    strayedSpeed_.setZero(busy_.size());
+    returned_.assign(busy_.size(), 0);
+    absorbed_.assign(busy_.size(), 0);
 
-    if (withWakes)
-    {
-        wakes_ = finder_.wakeCandidates();
-        wakes_.keep(std::move(wakePairs), place, nBusy);
-    }
-    contacts_ = finder_.contacts();
-    contacts_.keep(std::move(contactPairs), place, nBusy);
+    const communicator::alone here;
     contacts_.fillIds(busy_.id.cast<double>());
 }
 
