@@ -115,7 +115,7 @@ def test_tutorial_has_no_results(tutorial):
 @pytest.mark.parametrize(
     "tool",
     [
-        "format", "lint", "manual", "plotAgglomeration", "plotSound",
+        "format", "lint", "manual", "plotAgglomeration", "plotSound", "report",
         "renderCloud", "collisionKernels", "setup",
     ]
 )

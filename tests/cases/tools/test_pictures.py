@@ -1,12 +1,16 @@
 """Pictures and pages of a run: what is drawn, of whatever case."""
 
+import base64
 import gzip
+import io
 import re
 import shutil
 import sys
+from html.parser import HTMLParser
 from importlib.machinery import SourceFileLoader
 from importlib.util import module_from_spec, spec_from_loader
 from pathlib import Path
+from xml.etree import ElementTree
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -17,6 +21,7 @@ from test_tools import Results
 ROOT = Path(__file__).resolve().parents[3]
 sys.path.append(str(ROOT/"bin"))
 
+import acousticDEM  # noqa: E402
 import caseFiles  # noqa: E402
 
 HEAD = """FoamFile
@@ -494,3 +499,196 @@ def test_a_picture_of_each_cloud_or_of_all(tmp_path):
     results.run(tool)
     assert {file.name for file in tmp_path.glob("*_*.png")} == {
         "agglomeration_node.png", "agglomeration_antinode.png"}
+
+
+# The page of a run
+
+LOG = """\
+Build  : OPENFOAM=1912 patch=200626
+Date   : Nov 30 2026
+Time   : 21:13:17
+nProcs : 3
+acousticDEM 0.9.9, revision abc<def>
+
+Sound: standingWave; frequency 1400; SPL 147;
+    147 dB: p_rms 447.744 Pa, p_amp 633.206 Pa at the antinode, u0 1.5324 m/s there
+    frequency 1400 Hz, wavelength 0.245143 m
+Gas: density 1.204 kg/m3, viscosity 1.81e-05 Pa s, sound speed 343.2 m/s
+
+
+Cloud node
+Aerosol: 1000 particles in 2e-09 m3
+Models
+    drag         SchillerNaumann; slipCorrection Cunningham;
+    not given, so by default: unsteadyDrag Brownian
+The fastest particle settles at 0.0059 m/s
+
+
+Cloud antinode
+Aerosol: 1000 particles in 2e-09 m3
+Models
+    drag         Stokes; slipCorrection none;
+
+
+Starting time loop
+
+--> FOAM Warning :
+    From function Foam::here()
+    in file here.C at line 7
+    The box is <short>
+    for its sound
+Time = 0.5
+    1 of 2 particles left
+--> FOAM Warning : From function Foam::here()
+    in file here.C at line 7
+    The box is <short>
+    for its sound
+ExecutionTime = 9.38 s  ClockTime = 46 s
+
+node: Steps, on average:
+    fluid     1e-05 s, 9967.11 particles
+
+End
+"""
+
+
+class Page(HTMLParser):
+    """The elements of a page, which must end in the order in which they began."""
+
+    def __init__(self, content):
+        super().__init__()
+        self.open, self.tables, self.images, self.text = [], [], [], []
+        self.feed(content)
+        self.close()
+        assert not self.open
+
+    def handle_starttag(self, tag, attrs):
+        attrs = dict(attrs)
+        assert tag not in ("script", "link", "iframe"), "nothing from elsewhere"
+        assert "href" not in attrs
+        if tag == "img":
+            assert attrs["alt"]
+            self.images.append(attrs["src"])
+        if tag == "table":
+            self.tables.append([])
+        if tag == "tr":
+            self.tables[-1].append([])
+        if tag in ("td", "th"):
+            self.tables[-1][-1].append("")
+        if tag not in ("img", "meta"):
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+    def handle_data(self, data):
+        if self.open and self.open[-1] in ("td", "th"):
+            self.tables[-1][-1][-1] += data
+        elif not self.open or self.open[-1] != "style":
+            self.text.append(data)
+
+
+@pytest.fixture(name="finished")
+def fixture_finished(box):
+    """A case with the tables, the particles and the log of two clouds."""
+    for cloud, N in (("node", 990), ("antinode", 437)):
+        write_tables(box.path, 2, [1000, 950, N], cloud)
+        for time, n in (("0", 3), ("2", 2)):
+            write_cloud(box.path/time/"lagrangian"/cloud,
+                        [(0.0613 + 1e-5*k, 0, 0) for k in range(n)], [1e-6]*n)
+    write_csv(box.path/"postProcessing/node/quantities.csv",
+              ("time_s", "mass_g_per_m3"), [(0, 2.5), (2, 1.234567)])
+    aerosol = box.path/"constant/aerosolProperties"
+    aerosol.write_text(aerosol.read_text() + "\nclouds { node {} antinode {} }")
+    box.write("log.acousticDEMFoam", LOG)
+    return box
+
+
+def page_of(case, *arguments):
+    Results(case.path).run(ROOT/"bin/report", *arguments)
+    content = (case.path/"report.html").read_text()
+    assert not re.search(r"https?:|url\(", content)
+    return Page(content), content
+
+
+def test_numbers_of_the_page_are_those_of_the_tables(finished):
+    page, _ = page_of(finished)
+    factors = {"number": ("number", 1), "concentration [1/m³]":
+               ("concentration_per_m3", 1), "efficiency [%]": ("efficiency", 100),
+               "PM2.5 efficiency [%]": ("efficiency_PM2_5", 100),
+               "CMD [µm]": ("CMD_m", 1e6), "MMD [µm]": ("MMD_m", 1e6),
+               "GSD": ("GSD", 1), "largest [µm]": ("dMax_m", 1e6),
+               "contacts": ("contacts", 1)}
+    ends, *histories = page.tables[:3]
+    tables = {name: acousticDEM.csv(
+        finished.path/f"postProcessing/{name}/agglomeration.csv")
+        for name in ("antinode", "node")}
+    assert [row[0] for row in ends[1:]] == list(tables)
+    for name, row, history in zip(tables, ends[1:], histories):
+        assert set(ends[0][1:]) == set(history[0][1:]) == set(factors)
+        assert [cells[0] for cells in history[1:]] == ["0 s", "1 s", "2 s"]
+        for heading, *cells in zip(*history, row):
+            if heading == "time":
+                continue
+            column, factor = factors[heading]
+            wanted = factor*tables[name][column][[0, 1, 2, -1]]
+            assert [float(cell) for cell in cells] == pytest.approx(
+                wanted, rel=2e-3, abs=5e-3), heading
+    assert ["mass_g_per_m3", "2.5", "1.23457"] in page.tables[3]
+    # At the top: the cloud with the highest efficiency
+    assert "56.30 %" in page.text and "efficiency, antinode" in page.text
+
+
+def test_the_page_says_what_was_computed_and_has_its_pictures(finished):
+    page, content = page_of(finished)
+    words = " ".join(page.text)
+    assert "acousticDEM 0.9.9, revision abc<def>" in words
+    assert "OpenFOAM 1912" in words and "Nov 30 2026" in words
+    cells = {tuple(row) for table in page.tables for row in table if len(row) == 2}
+    assert ("drag", "SchillerNaumann; slipCorrection Cunningham;") in cells
+    assert ("drag", "Stokes; slipCorrection none;") in cells
+    assert ("not given, by default", "unsteadyDrag Brownian") in cells
+    assert ("sound", "standingWave; frequency 1400; SPL 147;") in cells
+    assert ("ranks", "3") in cells and ("time of the clock", "46 s") in cells
+    assert content.count("The box is &lt;short&gt;") == 1 and "(2 times)" in words
+    assert "settles at 0.0059 m/s" in words
+    assert "has not come to its end" not in words
+
+    kinds = [image.split(";")[0] for image in page.images]
+    assert kinds == ["data:image/svg+xml", "data:image/png", "data:image/png",
+                     "data:image/svg+xml"]
+    for kind, image in zip(kinds, page.images):
+        data = base64.b64decode(image.split("base64,")[1])
+        if kind.endswith("png"):
+            Image.open(io.BytesIO(data)).verify()
+        else:
+            drawing = data.decode()
+            ElementTree.fromstring(drawing)
+            assert "prefers-color-scheme: dark" in drawing
+            assert "#000000" not in drawing
+
+
+def test_the_page_of_a_run_that_failed(finished):
+    """It has an error and no particles, and what is left is shown."""
+    finished.write("log.acousticDEMFoam", LOG.replace("End", """\
+--> FOAM FATAL IO ERROR: (openfoam-1912)
+Unknown drag type <mine>
+
+file: aerosolProperties.drag at line 3.
+"""))
+    shutil.rmtree(finished.path/"0")
+    shutil.rmtree(finished.path/"2")
+    shutil.rmtree(finished.path/"constant/polyMesh")
+    page, _ = page_of(finished)
+    words = " ".join(page.text)
+    assert "has not come to its end" in words
+    assert "Unknown drag type <mine>" in words
+    assert "No picture: there is no mesh" in words
+    assert len(page.images) == 1
+
+    shutil.rmtree(finished.path/"postProcessing")
+    page, _ = page_of(finished)
+    assert not page.images and "Unknown drag type" in " ".join(page.text)
+    (finished.path/"log.acousticDEMFoam").unlink()
+    said = Results(finished.path).run(ROOT/"bin/report", status=1)
+    assert "has the case been run" in said
