@@ -63,6 +63,16 @@ def test_layers_are_the_folders_of_src():
     assert drawn == there - {"src/acoustics/soundField"}
 
 
+def test_the_table_of_models_is_what_its_script_prints():
+    """After a change: doc/figures/models.py"""
+    printed = subprocess.run(
+        [sys.executable, "-B", FIGURES/"models.py"],
+        capture_output=True, text=True, check=True,
+    ).stdout
+    assert printed.count("\n| 5 um | 1.6 | 2.5 | `history` |") == 1
+    assert printed in (ROOT/"doc/howTo/models.md").read_text()
+
+
 @pytest.mark.parametrize("arguments, message", [
     (["--into", "/nowhere"], "there is no folder /nowhere"),
     (["wake"], "there is no figure wake; there are: contact,"),
