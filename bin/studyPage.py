@@ -220,6 +220,21 @@ def table_of(header, rows):
             + f"</thead>\n<tbody>\n{body}\n</tbody></table></div>")
 
 
+def image(picture):
+    data = base64.b64encode(picture.read_bytes()).decode()
+    return (f'<p><img alt="{html.escape(picture.stem)}"'
+            f' src="data:image/png;base64,{data}"></p>')
+
+
+def write_page(page, title, parts):
+    write_whole(page, (
+        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">\n'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
+        f"<title>{html.escape(title)}</title>\n<style>{STYLE}</style>"
+        f"</head>\n<body>\n<h1>{html.escape(title)}</h1>\n"
+        + "\n".join(parts) + "\n</body></html>\n"))
+
+
 def versions_of(runs):
     """Of the solvers that made the runs."""
     found = set()
@@ -238,7 +253,7 @@ def write(study, table, columns, pictures, said, warnings, command):
     title = name
     if table.factors:
         title += ": " + ", ".join(table.names[f] for f in table.factors)
-    parts = [f"<h1>{html.escape(title)}</h1>"]
+    parts = []
     parts.append(
         f"<p>{len(table.runs)} runs of the case"
         f" <code>{html.escape(str(study.case.folder))}</code>;"
@@ -249,10 +264,7 @@ def write(study, table, columns, pictures, said, warnings, command):
         parts.append('<h2>Optimum</h2><pre class="best">'
                      + html.escape("\n".join(said)) + "</pre>")
     parts.append("<h2>Results</h2>" + table_of(*table.text_rows(columns)))
-    for picture in pictures:
-        data = base64.b64encode(picture.read_bytes()).decode()
-        parts.append(f'<p><img alt="{html.escape(picture.stem)}"'
-                     f' src="data:image/png;base64,{data}"></p>')
+    parts += [image(picture) for picture in pictures]
     versions = versions_of(table.runs)
     if len(versions) > 1:
         warnings = {**warnings, "the runs were made by several versions: "
@@ -278,9 +290,5 @@ def write(study, table, columns, pictures, said, warnings, command):
                  + html.escape("; ".join(versions) or "acousticDEM")
                  + "</p>")
     page = study.results/"study.html"
-    write_whole(page, (
-        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">\n'
-        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        f"<title>{html.escape(name)}: study</title>\n<style>{STYLE}</style>"
-        "</head>\n<body>\n" + "\n".join(parts) + "\n</body></html>\n"))
+    write_page(page, title, parts)
     return page

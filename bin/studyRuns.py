@@ -86,6 +86,15 @@ def read_table(case, cloud, name):
             for column, *words in zip(*rows)}
 
 
+def read_sizes(case, cloud):
+    """(lower, upper, number) of the bins at the first time."""
+    table = read_table(case, cloud, "sizeDistribution")
+    start = table["time_s"][0]
+    return [(low, high, n) for t, low, high, n in zip(
+        table["time_s"], table["lower_m"], table["upper_m"], table["number"])
+        if t == start]
+
+
 def clouds(case):
     return sorted(file.parent.name for file in
                   Path(case).glob("postProcessing/*/agglomeration.csv"))
@@ -531,7 +540,7 @@ class Study:
         run.state = "running"
         run.save()
         command = run.commands[0]
-        environment = dict(os.environ)
+        environment = {**os.environ, "PWD": str(run.folder)}
         if environment.get("ACOUSTICDEM_PRELOAD"):
             environment["LD_PRELOAD"] = environment["ACOUSTICDEM_PRELOAD"]
         parent = os.getpid()

@@ -23,10 +23,10 @@ import matplotlib.pyplot as plt
 import numpy as np
 import smoluchowski
 
-NU = smoluchowski.VISCOSITY/smoluchowski.DENSITY
+NU = smoluchowski.AIR.viscosity/smoluchowski.AIR.density
 # Of the diameters of the study, on which the default range depends
 MEAN = 1.78e-6
-GRAVITY = 9.81*(1 - smoluchowski.DENSITY/2300)
+GRAVITY = 9.81*(1 - smoluchowski.AIR.density/2300)
 
 
 def drag(d, speed):

@@ -100,7 +100,7 @@ POINT = {
 def least_count(case):
     """Particles for a box twice as wide as wakes and paths are long."""
     omega = 2*np.pi*case["frequency"]
-    nu = smoluchowski.VISCOSITY/smoluchowski.DENSITY
+    nu = smoluchowski.AIR.viscosity/smoluchowski.AIR.density
     swing = smoluchowski.velocity_amplitude(case["SPL"])/omega
     wake = MODELS[case["model"]].get("wake", "")
     layers = 4*np.sqrt(2*nu/omega)

@@ -8,9 +8,22 @@ particle between two pivots is shared out to them so that number and volume are
 kept. Numbers are per m3, kernels in m3/s, sizes in m.
 """
 
+from dataclasses import dataclass
+
 import numpy as np
 
-VISCOSITY, FREE_PATH, DENSITY, SOUND_SPEED = 1.81e-5, 66e-9, 1.204, 343.2
+
+@dataclass(frozen=True)
+class Gas:
+    """By default air of 20 degrees."""
+
+    density: float = 1.204  # kg/m3
+    viscosity: float = 1.81e-5  # Pa s
+    sound_speed: float = 343.2  # m/s
+    free_path: float = 66e-9  # m
+
+
+AIR = Gas()
 
 
 class PopulationBalance:
@@ -79,36 +92,41 @@ def sections(smallest, largest, per_doubling=6):
     return smallest*2**(np.arange(n + 1)/(3*per_doubling))
 
 
-def relaxation_time(d, density=2300):
+def relaxation_time(d, density=2300, gas=AIR):
     """Stokes drag with Cunningham's slip correction."""
-    Kn = 2*FREE_PATH/d
+    Kn = 2*gas.free_path/d
     slip = 1 + Kn*(1.257 + 0.4*np.exp(-1.1/Kn))
-    return density*d**2*slip/(18*VISCOSITY)
+    return density*d**2*slip/(18*gas.viscosity)
 
 
-def velocity_amplitude(SPL):
-    return np.sqrt(2)*20e-6*10**(SPL/20)/(DENSITY*SOUND_SPEED)
+def velocity_amplitude(SPL, gas=AIR):
+    return np.sqrt(2)*20e-6*10**(SPL/20)/(gas.density*gas.sound_speed)
 
 
-def orthokinetic(frequency, u0, refill=2):
+def relative_response(d1, d2, frequency, density=2300, gas=AIR):
+    """Relative velocity of two spheres over that of the gas, its amplitude."""
+    omega = 2*np.pi*frequency
+    H1 = 1/(1 + 1j*omega*relaxation_time(d1, density, gas))
+    H2 = 1/(1 + 1j*omega*relaxation_time(d2, density, gas))
+    return np.abs(H1 - H2)
+
+
+def orthokinetic(frequency, u0, refill=2, density=2300, gas=AIR):
     """Kernel of spheres that follow the gas each in its own way.
 
     refill: how often per period the path of a pair, as long as the relative
     motion from peak to peak, meets particles that were not there before; 2 is
     the formula of the textbooks, pi/4 (d1 + d2)^2 (2/pi) u12.
     """
-    omega = 2*np.pi*frequency
-
     def kernel(d1, d2):
-        H1 = 1/(1 + 1j*omega*relaxation_time(d1))
-        H2 = 1/(1 + 1j*omega*relaxation_time(d2))
-        u12 = u0*np.abs(H1 - H2)
+        u12 = u0*relative_response(d1, d2, frequency, density, gas)
         return refill*0.25*(d1 + d2)**2*u12
 
     return kernel
 
 
-def settling_sheet(frequency, u0, gravity=9.81):
+def settling_sheet(frequency, u0, gravity=9.81, across=1, dissipation=0,
+                   density=2300, gas=AIR):
     """Kernel of spheres that swing and settle, and do nothing else.
 
     The relative path is a zigzag, dense where a pair settles by less than its
@@ -118,17 +136,43 @@ def settling_sheet(frequency, u0, gravity=9.81):
 
         K = (4 A R + pi R^2) w,
 
-    and at most what full refill would give.
+    and at most what full refill would give. Only the part of the settling that is
+    across the sound, a share of w, moves the sheet. Turbulence of so much
+    dissipation [m2/s3] moves its ends against each other, on average by
+    sqrt(4 dissipation/(15 viscosity)) 2 A/pi.
     """
     omega = 2*np.pi*frequency
-    full = orthokinetic(frequency, u0)
+    full = orthokinetic(frequency, u0, density=density, gas=gas)
+    shear = np.sqrt(4*dissipation*gas.density/(15*gas.viscosity))
 
     def kernel(d1, d2):
-        tau1, tau2 = relaxation_time(d1), relaxation_time(d2)
+        tau1 = relaxation_time(d1, density, gas)
+        tau2 = relaxation_time(d2, density, gas)
         R = 0.5*(d1 + d2)
-        A = u0/omega*np.abs(1/(1 + 1j*omega*tau1) - 1/(1 + 1j*omega*tau2))
+        A = u0/omega*relative_response(d1, d2, frequency, density, gas)
         w = gravity*np.abs(tau1 - tau2)
-        return np.minimum(4*A*R*w, full(d1, d2)) + np.pi*R**2*w
+        v = np.hypot(across*w, shear*2*A/np.pi)
+        return np.minimum(4*A*R*v, full(d1, d2)) + np.pi*R**2*w
+
+    return kernel
+
+
+def refilled(through, refill, frequency, u0, **conditions):
+    """Kernel of what is refilled, and let through by the wakes:
+
+        K = through min(K_sheet + refill K_full, K_full + pi R^2 w),
+
+    with the kernels above; through and refill are calibrated.
+    """
+    full = orthokinetic(frequency, u0, density=conditions.get("density", 2300),
+                        gas=conditions.get("gas", AIR))
+    sheet = settling_sheet(frequency, u0, **conditions)
+    still = settling_sheet(frequency, 0, **conditions)
+
+    def kernel(d1, d2):
+        most = full(d1, d2)
+        return through*np.minimum(sheet(d1, d2) + refill*most,
+                                  most + still(d1, d2))
 
     return kernel
 
