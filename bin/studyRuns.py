@@ -16,7 +16,6 @@ two of them ever work in one folder.
 """
 
 import ctypes
-import csv
 import fcntl
 import hashlib
 import io
@@ -31,6 +30,7 @@ import time
 from dataclasses import dataclass, field
 from pathlib import Path
 
+import acousticDEM
 import foamEntries
 from foamEntries import EntryError
 
@@ -74,30 +74,6 @@ def die_with_parent(parent):
         return  # not Linux: the lock of the run still keeps others away
     if os.getppid() != parent:
         os._exit(1)
-
-
-def read_table(case, cloud, name):
-    """Columns by name, of a table of a run."""
-    file = Path(case, "postProcessing", cloud, f"{name}.csv")
-    # Without what a kill has left of a row
-    text = file.read_text().rpartition("\n")[0]
-    rows = list(csv.reader(io.StringIO(text)))
-    return {column: [number(word) for word in words]
-            for column, *words in zip(*rows)}
-
-
-def read_sizes(case, cloud):
-    """(lower, upper, number) of the bins at the first time."""
-    table = read_table(case, cloud, "sizeDistribution")
-    start = table["time_s"][0]
-    return [(low, high, n) for t, low, high, n in zip(
-        table["time_s"], table["lower_m"], table["upper_m"], table["number"])
-        if t == start]
-
-
-def clouds(case):
-    return sorted(file.parent.name for file in
-                  Path(case).glob("postProcessing/*/agglomeration.csv"))
 
 
 @dataclass
@@ -146,9 +122,9 @@ class Run:
     def last_time(self):
         """The last row of the tables, or None."""
         try:
-            return max(read_table(self.folder, cloud, "agglomeration")
-                       ["time_s"][-1] for cloud in clouds(self.folder))
-        except (OSError, ValueError, KeyError, IndexError, TypeError):
+            return max(float(acousticDEM.columns(self.folder, cloud)["time_s"][-1])
+                       for cloud in acousticDEM.clouds(self.folder))
+        except (acousticDEM.TableError, ValueError, KeyError, IndexError):
             return None
 
     def time_now(self):
@@ -472,8 +448,8 @@ class Study:
             return True
         if kept["end"] > run.end:
             # Longer than wanted: if there is a row at the end, it will do
-            times = [t for cloud in clouds(run.folder) for t in
-                     read_table(run.folder, cloud, "agglomeration")["time_s"]]
+            times = [t for cloud in acousticDEM.clouds(run.folder) for t in
+                     acousticDEM.columns(run.folder, cloud)["time_s"]]
             near = [t for t in times if abs(t - run.end) <= 1e-6*run.end]
             if near:
                 run.state = "done"
@@ -681,29 +657,26 @@ def duration(seconds):
     return f"{seconds/3600:.1f} h"
 
 
-def results_of(run, only=None):
+def results_of(run):
     """The last row of each table of a run, up to its end: by name, with the name
     of the cloud before it if there are several."""
     row = {}
-    there = clouds(run.folder)
+    there = acousticDEM.clouds(run.folder)
     for cloud in there:
         before = f"{cloud}." if len(there) > 1 else ""
         for name in ("agglomeration", "quantities"):
-            try:
-                table = read_table(run.folder, cloud, name)
-            except OSError:
+            if cloud not in acousticDEM.clouds(run.folder, name):
                 continue
-            times = table.pop("time_s", None)
-            if not times:
-                continue
+            table = acousticDEM.columns(run.folder, cloud, name)
+            times = table.pop("time_s")
             late = (run.end or float("inf"))*(1 + 1e-6)
-            last = max(k for k, t in enumerate(times) if t <= late)
+            if not (times <= late).any():
+                continue
+            last = (times <= late).nonzero()[0][-1]
             if run.end and times[last] < run.end*(1 - 1e-3):
                 raise StudyError(
                     f"the table {name} of {run.folder} has no row at"
                     f" {run.end:g} s: report more often")
             for column, values in table.items():
-                row.setdefault(before + column, values[last])
-    if only:
-        row = {name: row[name] for name in only}
+                row.setdefault(before + column, values[last].item())
     return row

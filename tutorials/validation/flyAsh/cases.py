@@ -10,12 +10,14 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 sys.path.append(os.environ.get("ACOUSTICDEM_DIR", f"{HERE.parents[2]}") + "/bin")
 try:
-    import studyRuns  # finds a Python that has what follows
+    import runTables  # noqa: F401, finds a Python that has what follows
 except ImportError:
     sys.exit("ERROR: first source the environment: . bin/environment")
 
+import acousticDEM  # noqa: E402
 import numpy as np  # noqa: E402
 import smoluchowski  # noqa: E402
+import studyRuns  # noqa: E402
 
 # The variants of the models: dictionaries of constant/aerosolProperties in place
 # of those of ALL. A new one is a line here, and --models takes its name.
@@ -173,9 +175,7 @@ class Runner:
 
         tables = [[] for _ in cases]
         for (k, _), run in zip(jobs, runs):
-            table = studyRuns.read_table(run.folder, "aerosol", "agglomeration")
-            tables[k].append({name: np.array(column)
-                              for name, column in table.items()})
+            tables[k].append(acousticDEM.columns(run.folder))
         return tables
 
 

@@ -24,13 +24,14 @@ import sys
 from pathlib import Path
 
 # First, since it finds a Python that has the others
-from cases import MODELS, POINT, Runner, at, least_count, studyRuns
+from cases import MODELS, POINT, Runner, at, least_count
 
 import capture
 import matplotlib.pyplot as plt
 import numpy as np
 import refill
 import smoluchowski
+import studyRuns
 
 HERE = Path(__file__).resolve().parent
 
