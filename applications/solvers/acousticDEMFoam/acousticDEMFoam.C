@@ -39,6 +39,7 @@ Description
 #include "writtenFiles.H"
 
 #include <csignal>
+#include <malloc.h>
 
 using namespace Foam;
 
@@ -60,6 +61,16 @@ void requireFixedStep(const Time& runTime)
             << " adjustTimeStep off, and deltaT"
             << exit(FatalIOError);
     }
+}
+
+
+//- Memory that is freed is soon asked for again: keep it. By default large
+//  arrays go back to the system each time, and come as new pages.
+void keepMemory()
+{
+    mallopt(M_MMAP_THRESHOLD, 1 << 28);
+    mallopt(M_TRIM_THRESHOLD, 1 << 28);
+    mallopt(M_TOP_PAD, 1 << 24);
 }
 
 
@@ -116,6 +127,7 @@ int main(int argc, char *argv[])
     Info<< versionLine() << nl << endl;
 
     runGuard::begin();
+    keepMemory();
 
     // A limit of the size of files is an error like a full disk, no signal
     std::signal(SIGXFSZ, SIG_IGN);
