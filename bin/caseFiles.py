@@ -309,6 +309,6 @@ def amplitudes(text):
     """Level [dB], rms pressure [Pa] and velocity amplitude [m/s] of the sound,
     from a log; None for what is not said."""
     found = [re.search(pattern, text) for pattern in (
-        rf"level {NUMBER} dB", rf"p_rms {NUMBER} Pa", rf"u0 {NUMBER} m/s"
+        rf"{NUMBER} dB: p_rms", rf"p_rms {NUMBER} Pa", rf"u0 {NUMBER} m/s"
     )]
     return [float(match[1]) if match else None for match in found]

@@ -643,6 +643,8 @@ def test_the_page_says_what_was_computed_and_has_its_pictures(finished):
     page, content = page_of(finished)
     words = " ".join(page.text)
     assert "acousticDEM 0.9.9, revision abc<def>" in words
+    for value in ("1400 Hz", "147 dB", "1.532 m/s", "2 s"):  # at the top
+        assert value in page.text, value
     assert "OpenFOAM 1912" in words and "Nov 30 2026" in words
     cells = {tuple(row) for table in page.tables for row in table if len(row) == 2}
     assert ("drag", "SchillerNaumann; slipCorrection Cunningham;") in cells

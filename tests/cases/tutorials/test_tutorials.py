@@ -83,6 +83,7 @@ def test_runs_in_a_copy(tmp_path, allrun):
         assert "FOAM Warning" not in text, text
     pictures = {path.name for path in case.path.glob("*.png")}
     assert pictures >= PICTURES[tutorial]
+    assert tutorial != "flyAshChamber" or (case.path/"report.html").exists()
 
     # Once more: nothing is touched
     after = files(case)
