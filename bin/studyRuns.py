@@ -41,6 +41,8 @@ NOT_COPIED = re.compile(
 )
 TIME = re.compile(r"(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
 PR_SET_PDEATHSIG = 1
+# A run ends with the step that is nearest to its end: as a share of that
+NEAR = 0.01
 
 
 class StudyError(Exception):
@@ -450,7 +452,7 @@ class Study:
             # Longer than wanted: if there is a row at the end, it will do
             times = [t for cloud in acousticDEM.clouds(run.folder) for t in
                      acousticDEM.columns(run.folder, cloud)["time_s"]]
-            near = [t for t in times if abs(t - run.end) <= 1e-6*run.end]
+            near = [t for t in times if abs(t - run.end) <= NEAR*run.end]
             if near:
                 run.state = "done"
                 return True
@@ -561,7 +563,7 @@ class Study:
                 run.state = "failed"
                 run.reason = f"{command} left no agglomeration.csv in" \
                     f" {run.folder}/postProcessing"
-            elif run.end is not None and at < run.end*(1 - 1e-3):
+            elif run.end is not None and at < run.end*(1 - NEAR):
                 run.state = "stopped"
                 run.reason = f"{command} has stopped at {at:g} s of" \
                     f" {run.end:g} s; the same study goes on with it"
@@ -669,11 +671,10 @@ def results_of(run):
                 continue
             table = acousticDEM.columns(run.folder, cloud, name)
             times = table.pop("time_s")
-            late = (run.end or float("inf"))*(1 + 1e-6)
-            if not (times <= late).any():
+            if not len(times):
                 continue
-            last = (times <= late).nonzero()[0][-1]
-            if run.end and times[last] < run.end*(1 - 1e-3):
+            last = -1 if not run.end else abs(times - run.end).argmin()
+            if run.end and abs(times[last] - run.end) > NEAR*run.end:
                 raise StudyError(
                     f"the table {name} of {run.folder} has no row at"
                     f" {run.end:g} s: report more often")
