@@ -149,8 +149,8 @@ def test_colours_are_those_of_the_diameters_that_there_are(aerosol):
     assert (cloud.colours.vmin, cloud.colours.vmax) == pytest.approx((40, 90))
     assert cloud.unit == "µm"
     assert coloured(cloud.image("0")[0]).any()
-    aerosol.cloud("2", [(0, 0, 0), (0.5, 0, 0)], [100e-9, 400e-9], [2, 6],
-                  name="fine")
+    aerosol.cloud("2", [(0, 0, 0), (0.5, 0, 0), (0, 0.5, 0)],
+                  [100e-9, 400e-9, 20e-9], [2, 6, 1], name="fine")
     _, cloud = aerosol.drawn("fine")
     assert (cloud.colours.vmin, cloud.colours.vmax) == pytest.approx((100, 400))
     assert cloud.unit == "nm"
