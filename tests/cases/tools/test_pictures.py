@@ -253,7 +253,7 @@ def test_a_picture_for_each_cloud_and_a_film(aerosol):
         assert film.n_frames == len(times)
         assert min(film.size) > 300
     if shutil.which("ffmpeg"):
-        results.run(tool, "--cloud", "two", "--film", "mp4")
+        results.run(tool, ".", "--cloud", "two", "--film")
         assert (aerosol.path/"cloud_two.mp4").read_bytes()[4:8] == b"ftyp"
 
 
@@ -262,6 +262,8 @@ def test_what_is_wrong_with_a_cloud_is_one_line(aerosol):
     tool = ROOT/"bin/renderCloud"
     assert "has the case been run" in results.run(tool, status=1)
     assert "--wrong" in results.run(tool, "--wrong", status=1)
+    assert "(choose from 'mp4', 'gif')" in results.run(
+        tool, "--film", "webm", status=1)
     assert "nowhere" in results.run(tool, "nowhere", status=1)
     assert "third" in results.run(tool, ".", "third", status=1)
     aerosol.cloud("0", [(0, 0, 0), (0.1, 0, 0)], [1e-6, 2e-6], name="node")
