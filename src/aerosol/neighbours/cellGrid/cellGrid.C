@@ -173,12 +173,30 @@ void Foam::aerosol::cellGrid::touching
 (
     const int n,
     const scalars& id,
-    std::vector<particlePair>& pairs,
-    const bool shared
-)
+    std::vector<particlePair>& pairs
+) const
 {
     pairs.clear();
 
+    touching
+    (
+        n, id, false,
+        [&](const int i, const int j)
+        {
+            pairs.push_back({i, j, {}});
+        }
+    );
+}
+
+
+void Foam::aerosol::cellGrid::touching
+(
+    const int n,
+    const scalars& id,
+    const bool shared,
+    const std::function<void(int, int)>& add
+) const
+{
     const int all = static_cast<int>(index_.size());
 
     if (all == 0)
@@ -270,7 +288,7 @@ void Foam::aerosol::cellGrid::touching
 
                     if ((i < n || (shared && j < n)) && id(i) != id(j))
                     {
-                        pairs.push_back({i, j, {}});
+                        add(i, j);
                     }
                 }
             );

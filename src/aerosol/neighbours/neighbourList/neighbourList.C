@@ -157,10 +157,20 @@ void Foam::aerosol::neighbourList::findActing
 
     // Where boxes are long, space is squeezed, so that spheres fit them better.
     // Rounded means are those of micrometres.
-    vectors sizes = vectors::Zero(3, id.size());
-    sizes.row(0) = 1e6*(skin.sizes() + range).matrix().transpose();
-
-    const double meanSize = communicator::mean(sizes)(0) + 1e-6;
+    const double meanSize =
+        communicator::mean
+        (
+            vectors::NullaryExpr
+            (
+                3,
+                range.size(),
+                [&](const Eigen::Index, const Eigen::Index i)
+                {
+                    return 1e6*(skin.sizes()(i) + range(i));
+                }
+            )
+        )(0)
+      + 1e-6;
     const Eigen::Array3d squeeze =
         meanSize/(meanSize + communicator::mean(1e6*skin.extents()).array());
 
@@ -172,40 +182,39 @@ void Foam::aerosol::neighbourList::findActing
 
     vectors squeezed = (x.array().colwise()*squeeze).matrix();
 
-    std::vector<particlePair> found;
-
     grid.build(squeezed, reaches);
-    grid.touching(ghosts_.n(), ids, found, true);
 
-    // Of each pair, one or both may act on the other
     const int n = ghosts_.n();
 
     pairs_.clear();
     touching.pairs_.clear();
 
-    for (const particlePair& pair : found)
+    // Of each pair, one or both may act on the other. Most do not: only those
+    // that do are kept.
+    const auto add = [&](const int i, const int j)
     {
         const double gap =
             verletSkin::beyond
             (
-                x.col(pair.j) - x.col(pair.i),
-                extent.col(pair.i) + extent.col(pair.j)
+                x.col(j) - x.col(i), extent.col(i) + extent.col(j)
             )
-          - size(pair.i) - size(pair.j);
+          - size(i) - size(j);
 
-        if (pair.i < n && ranges(pair.j) > 0 && gap <= ranges(pair.j))
+        if (i < n && ranges(j) > 0 && gap <= ranges(j))
         {
-            pairs_.push_back(pair);
+            pairs_.push_back({i, j, {}});
         }
-        if (pair.j < n && ranges(pair.i) > 0 && gap <= ranges(pair.i))
+        if (j < n && ranges(i) > 0 && gap <= ranges(i))
         {
-            pairs_.push_back({pair.j, pair.i, {}});
+            pairs_.push_back({j, i, {}});
         }
-        if (pair.i < n && gap <= 0)
+        if (i < n && gap <= 0)
         {
-            touching.pairs_.push_back(pair);
+            touching.pairs_.push_back({i, j, {}});
         }
-    }
+    };
+
+    grid.touching(n, ids, true, add);
 
     touching.ghosts_ = ghosts_;
 }

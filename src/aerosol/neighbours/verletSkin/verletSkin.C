@@ -307,14 +307,14 @@ bool Foam::aerosol::verletSkin::hold
 
 void Foam::aerosol::verletSkin::make
 (
-    const vectors& centres,
-    const vectors& extents,
-    const scalars& sizes
+    vectors centres,
+    vectors extents,
+    scalars sizes
 )
 {
-    centre_ = centres;
-    extent_ = extents;
-    size_ = sizes;
+    centre_.swap(centres);
+    extent_.swap(extents);
+    size_.swap(sizes);
     moved_.setZero();
     lasting_ = true;
     expired_ = false;

@@ -65,7 +65,7 @@ Foam::aerosol::decomposition::decomposition
 // * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
 
 Foam::aerosol::particleArrays
-Foam::aerosol::decomposition::gather(const particleArrays& own)
+Foam::aerosol::decomposition::gather(particleArrays own)
 {
     const int length = own.packedNumbers();
 
@@ -81,26 +81,26 @@ Foam::aerosol::decomposition::gather(const particleArrays& own)
             [&](const int a, const int b) { return own.id(a) < own.id(b); }
         );
 
-        return own.select(order);
+        own.reorder(order);
+
+        return own;
     }
 
-    const bool withLaws = own.refreshed();
-    particleArrays from = own;
-    if (!withLaws)
+    if (!own.refreshed())
     {
-        from.resizeLaws();
-        from.rate.setZero();
-        from.response.setZero();
-        from.acceleration.setZero();
-        from.range.setZero();
-        from.mobilityDiameter.setZero();
-        from.collisionDiameter.setZero();
+        own.resizeLaws();
+        own.rate.setZero();
+        own.response.setZero();
+        own.acceleration.setZero();
+        own.range.setZero();
+        own.mobilityDiameter.setZero();
+        own.collisionDiameter.setZero();
     }
 
     std::vector<double> mine(own.size()*length);
     for (int i = 0; i < own.size(); ++i)
     {
-        from.pack(i, mine.data() + i*length);
+        own.pack(i, mine.data() + i*length);
     }
 
     const messages all =

@@ -92,24 +92,33 @@ bool Foam::aerosol::encounterFinder::listLasting
     }
 
     // Pairs per particle, if all were alike
-    vectors around(3, n);
-    for (int i = 0; i < n; ++i)
-    {
-        around.col(i) =
+    const double neighbours = communicator::mean
+    (
+        vectors::NullaryExpr
         (
-            4*(extent.col(i).array() + size(i)) + 2*p.range(i)
-        ).matrix()/meanDistance;
-    }
+            3,
+            n,
+            [&](const Eigen::Index k, const Eigen::Index i)
+            {
+                return
+                    (4*(extent(k, i) + size(i)) + 2*p.range(i))/meanDistance;
+            }
+        )
+    ).prod();
 
     // One that reaches far makes ghosts of all
-    const scalars furthest =
-        extent.colwise().norm().transpose().array() + size + p.range;
+    double furthest = 0;
+    for (int i = 0; i < n; ++i)
+    {
+        furthest =
+            std::max(furthest, extent.col(i).norm() + size(i) + p.range(i));
+    }
 
     const bool far =
-        communicator::max(n ? furthest.maxCoeff() : 0.0)
+        communicator::max(furthest)
       > furthestReach*domain_.bounds().minDim();
 
-    if (far || communicator::mean(around).prod() > mostNeighbours)
+    if (far || neighbours > mostNeighbours)
     {
         skin_.expire();
         return false;
@@ -125,7 +134,7 @@ bool Foam::aerosol::encounterFinder::listLasting
     }
 
     ++counters_.lists;
-    skin_.make(centre, extent, size);
+    skin_.make(std::move(centre), std::move(extent), std::move(size));
 
     // Also on ranks without particles
     const bool withWakes = motion_.wakes().active();
@@ -138,6 +147,9 @@ bool Foam::aerosol::encounterFinder::listLasting
         withWakes ? p.range : scalars(scalars::Zero(n)),
         contacts_
     );
+
+    // Not soon needed again
+    grid_ = cellGrid();
 
     if (!collisions_.active())
     {

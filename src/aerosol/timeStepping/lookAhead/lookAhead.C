@@ -371,6 +371,7 @@ Eigen::Vector3d Foam::aerosol::lookAhead::end
     counters_.busyMoves += static_cast<double>(busy_.size())*done_.size();
 
     running_ = false;
+    x_.clear();
 
     // It is worth while if many rest for long
     if
