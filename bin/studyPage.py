@@ -203,7 +203,7 @@ def plot_best(study, plan, found, names):
     axes.set_xlabel(names[rows[0][0]])
     if searched[0][3]:
         label_axis(axes, searched[0][1:3])
-    axes.legend()
+    axes.legend(frameon=True)
     target = study.results/"optimum.png"
     runTables.save(figure, target)
     plt.close(figure)
@@ -256,9 +256,9 @@ def write(study, table, columns, pictures, said, warnings, command):
     parts = []
     parts.append(
         f"<p>{len(table.runs)} runs of the case"
-        f" <code>{html.escape(str(study.case.folder))}</code>;"
-        f" {len(table.failed)} more have failed. Mean and standard error are"
-        " those of the seeds.</p>"
+        f" <code>{html.escape(str(study.case.folder))}</code>"
+        + (f"; {len(table.failed)} more have failed" if table.failed else "")
+        + ". Mean and standard error are those of the seeds.</p>"
         f"<pre>{html.escape(command)}</pre>")
     if said:
         parts.append('<h2>Optimum</h2><pre class="best">'
@@ -277,15 +277,17 @@ def write(study, table, columns, pictures, said, warnings, command):
         parts.append('<p class="warning">Failed: '
                      + html.escape(f"{run.label()}: {run.reason}") + "</p>")
 
-    # The values of all entries that are the same in all runs are the case's
+    # What the runs have in common; what varies stands above
     parts.append("<h2>The case</h2>")
-    for file in sorted(study.case.files):
-        if file in ("constant/aerosolProperties", "constant/acousticProperties",
-                    "system/controlDict"):
-            text = study.case.files[file].decode(errors="replace")
-            parts.append(
-                f"<details><summary><code>{file}</code></summary>"
-                f"<pre>{html.escape(text)}</pre></details>")
+    files = {"constant/aerosolProperties", "constant/acousticProperties",
+             "system/controlDict"}
+    for run in table.runs:
+        files.update(run.files)
+    for file in sorted(files & set(study.case.files)):
+        text = study.case.files[file].decode(errors="replace")
+        parts.append(
+            f"<details><summary><code>{html.escape(file)}</code></summary>"
+            f"<pre>{html.escape(text)}</pre></details>")
     parts.append("<h2>Made by</h2><p>"
                  + html.escape("; ".join(versions) or "acousticDEM")
                  + "</p>")
