@@ -157,6 +157,9 @@ Foam::acoustics::gasProperties Foam::acoustics::meshSound::undisturbedGas()
     gas.T = mean(thermo_->T());
     gas.c = std::sqrt(mean(thermo_->gamma())*mean(thermo_->p())/gas.rho);
 
+    gas.Cp = mean(thermo_->Cp());
+    gas.kappa = mean(thermo_->kappa());
+
     // psi = W/(R T)
     const scalar W = mean(thermo_->psi())*constant::thermodynamic::RR*gas.T;
     gas.meanFreePath =

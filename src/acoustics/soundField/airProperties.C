@@ -6,6 +6,7 @@
 #include "airProperties.H"
 
 #include "error.H"
+#include "gasComposition.H"
 
 #include <cmath>
 #include <sstream>
@@ -17,6 +18,12 @@ namespace
 
 //- Sutherland's temperature of air [K]
 constexpr double Sutherland = 110.4;
+
+//- Conductivity of air [W/m/K]
+constexpr Foam::acoustics::gasComposition::SutherlandLaw conductivity
+{
+    0.0241, 273, 194
+};
 
 //- What a gas can have, and the largest temperature and pressure [K], [Pa]
 constexpr double coldest = 100;
@@ -37,6 +44,7 @@ Foam::acoustics::gasProperties Foam::acoustics::airAt
 )
 {
     const gasProperties reference = gasProperties::air();
+    const gasComposition composition = gasComposition::air();
     const scalar ratio = T/reference.T;
 
     gasProperties gas;
@@ -46,23 +54,16 @@ Foam::acoustics::gasProperties Foam::acoustics::airAt
     gas.mu =
         reference.mu*ratio*std::sqrt(ratio)
        *(reference.T + Sutherland)/(T + Sutherland);
-    gas.c = reference.c*std::sqrt(ratio);
-    gas.meanFreePath = airMeanFreePath(gas);
+    gas.Cp = composition.Cp(T);
+    gas.c =
+        reference.c
+       *std::sqrt(ratio*composition.gamma(T)/composition.gamma(reference.T));
+    gas.kappa = conductivity.at(T);
+    gas.meanFreePath =
+        reference.meanFreePath*(gas.mu/reference.mu)*(reference.rho/gas.rho)
+       /std::sqrt(ratio);
 
     return gas;
-}
-
-
-Foam::scalar Foam::acoustics::airMeanFreePath
-(
-    const gasProperties& gas
-)
-{
-    const gasProperties reference = gasProperties::air();
-
-    return
-        reference.meanFreePath*(gas.mu/reference.mu)*(reference.rho/gas.rho)
-       *std::sqrt(reference.T/gas.T);
 }
 
 
@@ -113,7 +114,9 @@ Foam::Ostream& Foam::acoustics::operator<<
 {
     os  << "density " << gas.rho << " kg/m3, viscosity " << gas.mu
         << " Pa s, temperature " << gas.T << " K, sound speed " << gas.c
-        << " m/s, mean free path " << gas.meanFreePath << " m";
+        << " m/s, mean free path " << gas.meanFreePath
+        << " m, heat capacity " << gas.Cp << " J/kg/K, conductivity "
+        << gas.kappa << " W/m/K";
 
     return os;
 }

@@ -22,6 +22,8 @@ Foam::dictionary Foam::acoustics::gasEntries(const gasProperties& gas)
     dict.add("T", gas.T);
     dict.add("c", gas.c);
     dict.add("meanFreePath", gas.meanFreePath);
+    dict.add("Cp", gas.Cp);
+    dict.add("kappa", gas.kappa);
 
     return dict;
 }

@@ -6,8 +6,8 @@
 #include "gasProperties.H"
 
 #include "airProperties.H"
-#include "checkedEntry.H"
-#include "dictionary.H"
+#include "checkedDictionary.H"
+#include "gasComposition.H"
 #include "mathematicalConstants.H"
 #include "thermodynamicConstants.H"
 
@@ -41,6 +41,8 @@ Foam::acoustics::gasProperties Foam::acoustics::gasProperties::air()
     gas.T = 293.15;
     gas.c = 343.2;
     gas.meanFreePath = 66e-9;
+    gas.Cp = 1005;
+    gas.kappa = 0.0257;
 
     return gas;
 }
@@ -51,7 +53,34 @@ Foam::acoustics::gasProperties Foam::acoustics::gasProperties::read
     const dictionary& dict
 )
 {
-    requireOnly(dict, {"T", "p", "rho", "mu", "c", "meanFreePath"});
+    requireOnly
+    (
+        dict,
+        {"type", "composition", "T", "p", "rho", "mu", "c", "meanFreePath",
+         "Cp", "kappa"}
+    );
+
+    const word type(valueOr<word>(dict, "type", "air"));
+    const bool isMixture = type == "mixture";
+
+    if (type != "air" && !isMixture)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Unknown gas '" << visible(type).c_str() << "' in "
+            << dict.name() << "; valid types are air and mixture"
+            << exit(FatalIOError);
+    }
+
+    const dictionary fractions(optionalDict(dict, "composition"));
+
+    if (isMixture != dict.found("composition"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "A gas of type mixture, and no other, needs a dictionary"
+            << " 'composition' of mole fractions; " << dict.name() << " has "
+            << (isMixture ? "none" : "one, but is of type air")
+            << exit(FatalIOError);
+    }
 
     const scalar T = readPositive(dict, "T", dimTemperature, air().T);
     const scalar p = readPositive(dict, "p", dimPressure, atmosphere);
@@ -66,14 +95,28 @@ Foam::acoustics::gasProperties Foam::acoustics::gasProperties::read
             << exit(FatalIOError);
     }
 
-    gasProperties gas = airAt(T, p);
+    gasProperties gas =
+        isMixture ? gasComposition(fractions).at(T, p) : airAt(T, p);
+
+    const scalar nuBefore = gas.nu();
 
     gas.rho = readPositive(dict, "rho", dimDensity, gas.rho);
     gas.mu = readPositive(dict, "mu", dimDynamicViscosity, gas.mu);
     gas.c = readPositive(dict, "c", dimVelocity, gas.c);
+    gas.Cp = readPositive(dict, "Cp", dimSpecificHeatCapacity, gas.Cp);
+    gas.kappa =
+        readPositive
+        (
+            dict, "kappa", dimPower/dimLength/dimTemperature, gas.kappa
+        );
+
+    // At that temperature it goes with the kinematic viscosity
     gas.meanFreePath = readPositive
     (
-        dict, "meanFreePath", dimLength, airMeanFreePath(gas)
+        dict,
+        "meanFreePath",
+        dimLength,
+        gas.meanFreePath*(gas.nu()/nuBefore)
     );
 
     return gas;

@@ -114,14 +114,15 @@ def test_gas_by_its_temperature(box):
     log = box.run(SOLVER, "-dry-run")
     gas = re.search(
         r"\nGas: density (\S+) kg/m3, viscosity (\S+) Pa s, temperature 423.15 K,"
-        r" sound speed (\S+) m/s, mean free path (\S+) m", log
+        r" sound speed (\S+) m/s, mean free path (\S+) m,"
+        r" heat capacity (\S+) J/kg/K, conductivity (\S+) W/m/K\n", log
     )
     assert log.lower().count("gas: ") == 1
     assert [float(x) for x in gas.groups()] == pytest.approx(
-        [0.834, 2.38e-5, 412, 105e-9], rel=0.02
+        [0.834, 2.38e-5, 411, 105e-9, 1017, 0.0348], rel=0.02
     )
     assert float(re.search(r"wavelength (\S+) m", log)[1]) == pytest.approx(
-        0.2945, rel=1e-3
+        0.2938, rel=1e-3
     )
 
 
