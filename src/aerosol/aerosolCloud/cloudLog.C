@@ -12,7 +12,33 @@
 #include "stepCounters.H"
 #include "Time.H"
 
+#include <algorithm>
 #include <sstream>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Diameter [m] that halves the sum of the k-th powers of all of them
+double median(Foam::aerosol::scalars d, const int k)
+{
+    std::sort(d.begin(), d.end());
+
+    const double half = 0.5*d.pow(k).sum();
+    double sum = 0;
+    int i = 0;
+
+    for (; i < d.size() - 1 && sum < half; ++i)
+    {
+        sum += std::pow(d(i), k);
+    }
+
+    return d(i > 0 && sum >= half ? i - 1 : i);
+}
+
+} // End anonymous namespace
+
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -60,7 +86,10 @@ std::string Foam::aerosol::cloudLog::summary
     os  << "Aerosol: " << particles.size() << " particles in " << volume
         << " m3, " << particles.size()/volume << " per m3, diameters "
         << particles.d.minCoeff() << " to " << particles.d.maxCoeff()
-        << " m, mass concentration " << particles.m.sum()/volume << " kg/m3";
+        << " m, median diameters " << median(particles.d, 0)
+        << " m by number and " << median(particles.d, 3)
+        << " m by volume, mass concentration " << particles.m.sum()/volume
+        << " kg/m3";
 
     return os.str();
 }

@@ -10,13 +10,16 @@
 #include "OSspecific.H"
 #include "domain.H"
 #include "error.H"
+#include "messageStream.H"
 #include "particleSource.H"
+#include "sizeDistribution.H"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <iostream>
 #include <string>
 
 using namespace Foam;
@@ -376,6 +379,9 @@ TEST(distributionSource, badEntriesAreRefused)
 
     expectRefused(source, "neither");
     expectRefused(source + "count 10; numberConcentration 1e12;", "both");
+    expectRefused(source + "count 10; massConcentration 1;", "both");
+    expectRefused(source + "massConcentration 0;", "positive");
+    expectRefused(source + "count 10; sample latin;", "random or stratified");
     expectRefused(source + "count 0;", "positive");
     expectRefused(source + "count -10;", "positive");
     expectRefused(source + "count 10.5;", "whole number");
@@ -406,6 +412,194 @@ TEST(distributionSource, badEntriesAreRefused)
     );
 
     IStringStream is("density -2300; " + source + "count 10;");
+
+    EXPECT_THROW(particleSource::New(dictionary(is)), IOerror);
+}
+
+
+TEST(distributionSource, massConcentrationIsThatOfTheDistribution)
+{
+    // Of one size it is exact, to half a particle
+    const auto same = create
+    (
+        "source distribution; size { type monodisperse; diameter 5e-6; }"
+        " massConcentration 0.301;"
+    );
+
+    EXPECT_EQ(same.size(), int(std::round(0.301e-9/1.5053464798451093e-13)));
+
+    // Else on average: the sample scatters
+    const auto particles = create
+    (
+        "source distribution; massConcentration 1;"
+        " size { type lognormal; median 1.5e-6; GSD 1.5; min 5e-7; max 1e-5; }"
+    );
+
+    const double mass = particles.m.sum();
+    const double n = particles.size();
+    const double mean = mass/n;
+    const double error =
+        std::sqrt(((particles.m - mean).square().sum()/n)*n);
+
+    EXPECT_GT(n, 10000);
+    EXPECT_NEAR(mass, 1e-9, 4*error);
+}
+
+
+TEST(distributionSource, stratifiedSamplesHaveOneParticleInEachPart)
+{
+    const int n = 1000;
+    const std::string lognormal
+    (
+        "type lognormal; median 1e-6; GSD 1.8; min 1e-7; max 2e-5;"
+    );
+    const std::string size
+    (
+        "source distribution; count 1000; size { " + lognormal + " } "
+    );
+
+    IStringStream is(lognormal);
+    const auto distribution = sizeDistribution::New(dictionary(is));
+
+    scalar masses[2] = {0, 0};
+
+    for (const int seed : {1, 2})
+    {
+        auto particles = create
+        (
+            size + "sample stratified; seed " + std::to_string(seed) + ";"
+        );
+
+        std::sort(particles.d.begin(), particles.d.end());
+
+        for (int i = 0; i < n; ++i)
+        {
+            const double d = particles.d(i);
+
+            ASSERT_LE(d, distribution->quantile((i + 1.0)/n*(1 - 1e-9)));
+            ASSERT_GE(d, distribution->quantile((i + 1e-9)/n));
+        }
+
+        masses[seed - 1] = particles.m.sum();
+    }
+
+    EXPECT_NE(masses[0], masses[1]);
+
+    // At random is the default
+    EXPECT_TRUE
+    (
+        (create(size).d == create(size + "sample random;").d).all()
+    );
+    EXPECT_FALSE
+    (
+        (create(size).d == create(size + "sample stratified;").d).all()
+    );
+}
+
+
+TEST(distributionSource, stratifiedSamplesScatterLess)
+{
+    // Not a line for each sample
+    const int level = messageStream::level;
+    messageStream::level = 0;
+
+    // Standard deviations over seeds of the mass of 500 particles
+    const auto scatter = [](const std::string& sample)
+    {
+        const int nSeeds = 40;
+        double sum = 0, squares = 0;
+
+        for (int seed = 1; seed <= nSeeds; ++seed)
+        {
+            const double mass = create
+            (
+                "source distribution; count 500; size { type lognormal;"
+                " median 1.5e-6; GSD 1.8; min 3e-7; max 1e-5; } sample "
+              + sample + "; seed " + std::to_string(seed) + ";"
+            ).m.sum();
+
+            sum += mass;
+            squares += mass*mass;
+        }
+
+        return std::sqrt(squares/nSeeds - sum*sum/(nSeeds*nSeeds))*nSeeds/sum;
+    };
+
+    const double random = scatter("random");
+    const double stratified = scatter("stratified");
+
+    messageStream::level = level;
+
+    std::cout
+        << "Mass over seeds, standard deviation over mean: " << random
+        << " at random, " << stratified << " stratified" << std::endl;
+
+    EXPECT_LT(stratified, 0.25*random);
+}
+
+
+TEST(mixtureSource, populationsHaveTheirOwnDensities)
+{
+    const std::string fine
+    (
+        "fine { count 1000; size { type monodisperse; diameter 1e-6; } }"
+    );
+    const auto particles = create
+    (
+        "source mixture; seed 3; populations { " + fine
+      + " seeds { density 1000; massConcentration 0.1;"
+        " size { type monodisperse; diameter 2e-5; } } }"
+    );
+
+    // 0.1 kg/m3 of water in drops of 4.19e-12 kg, in a cubic millimetre
+    const int n = std::round(0.1e-9/(1000*M_PI/6*8e-15));
+
+    ASSERT_EQ(particles.size(), 1000 + n);
+    EXPECT_EQ(overlaps(particles, cube), 0);
+
+    for (int i = 0; i < particles.size(); ++i)
+    {
+        const bool isFine = i < 1000;
+
+        EXPECT_EQ(particles.id(i), i);
+        EXPECT_EQ(particles.d(i), isFine ? 1e-6 : 2e-5);
+        EXPECT_NEAR
+        (
+            particles.m(i)/particles.volume(i), isFine ? 2300 : 1000, 1e-9
+        );
+    }
+
+    // The first population is that of the same source on its own
+    const auto alone = create
+    (
+        "source distribution; seed 3; count 1000;"
+        " size { type monodisperse; diameter 1e-6; }"
+    );
+
+    EXPECT_TRUE((particles.m.head(1000) == alone.m).all());
+}
+
+
+TEST(mixtureSource, badEntriesAreRefused)
+{
+    const std::string size("size { type monodisperse; diameter 1e-6; } ");
+    const auto mixture = [&](const std::string& populations)
+    {
+        return "source mixture; populations { " + populations + " }";
+    };
+
+    EXPECT_EQ(complaint(mixture("a { count 1; " + size + "}")), "");
+
+    expectRefused("source mixture;", "'populations'");
+    expectRefused(mixture(""), "'populations'");
+    expectRefused(mixture("a 1;"), "no dictionary");
+    expectRefused(mixture("a { " + size + "}"), "neither");
+    expectRefused(mixture("a { count 1; seed 2; " + size + "}"), "seed");
+    expectRefused(mixture("a { count 1; density 0; " + size + "}"), "positive");
+    expectRefused("source mixture; count 1; " + size, "count");
+
+    // No density anywhere
+    IStringStream is(mixture("a { count 1; " + size + "}"));
 
     EXPECT_THROW(particleSource::New(dictionary(is)), IOerror);
 }

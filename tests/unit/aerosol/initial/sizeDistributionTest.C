@@ -550,3 +550,466 @@ TEST(sizeDistribution, badTypesAreRefused)
     expectRefused("type monodisperse; diameter 0;", "positive");
     expectRefused("type monodisperse; diameter -5e-6;", "positive");
 }
+
+
+namespace
+{
+
+//- By brute force: midpoints of the quantile
+double bruteMoment
+(
+    const sizeDistribution& size,
+    const int k,
+    const double below = 1
+)
+{
+    const int n = 100000;
+    double sum = 0;
+
+    for (int i = 0; i < n; ++i)
+    {
+        const double d = size.quantile((i + 0.5)/n);
+
+        sum += d < below ? std::pow(d, k)/n : 0;
+    }
+
+    return sum;
+}
+
+
+//- A distribution that knows its quantile only, as one of a user's may
+class rootSize
+:
+    public sizeDistribution
+{
+public:
+
+    scalar quantile(const scalar p) const override
+    {
+        return 1e-6*(1 + std::sqrt(p));
+    }
+
+    scalar min() const override
+    {
+        return 1e-6;
+    }
+
+    scalar max() const override
+    {
+        return 2e-6;
+    }
+};
+
+
+//- A table in a file, with the entries that say how to read it
+autoPtr<sizeDistribution> table
+(
+    const std::string& text,
+    const std::string& entries
+)
+{
+    const temporaryFile file(text);
+
+    return make("type table; file \"" + file.name() + "\"; " + entries);
+}
+
+
+std::string tableComplaint
+(
+    const std::string& text,
+    const std::string& entries
+)
+{
+    try
+    {
+        table(text, entries);
+    }
+    catch (const IOerror& e)
+    {
+        return e.message();
+    }
+
+    return "";
+}
+
+
+void expectSame(const sizeDistribution& a, const sizeDistribution& b)
+{
+    for (double p = 0.005; p < 1; p += 0.01)
+    {
+        EXPECT_NEAR(a.quantile(p), b.quantile(p), 1e-12*b.quantile(p)) << p;
+    }
+}
+
+} // End anonymous namespace
+
+
+TEST(sizeDistribution, momentsAreThoseOfTheQuantiles)
+{
+    const std::string all[] =
+    {
+        "type monodisperse; diameter 5e-6;",
+        lognormals[0].entries(),
+        lognormals[3].entries(),
+        lognormals[4].entries(),
+        "type histogram; bins ((1e-6 2e-6 1) (2e-6 8e-6 2) (1e-5 4e-5 1));",
+        "type RosinRammler; d63 2e-5; n 1.5; min 2e-6; max 6e-5;"
+    };
+
+    for (const std::string& entries : all)
+    {
+        const auto size = make(entries);
+        const double middle = size->quantile(0.6);
+
+        for (const int k : {0, 1, 2, 3})
+        {
+            SCOPED_TRACE(entries + " moment " + std::to_string(k));
+
+            const double exact = bruteMoment(*size, k);
+            const double part = bruteMoment(*size, k, middle);
+
+            EXPECT_NEAR(size->moment(k)/exact, 1, 5e-4);
+            EXPECT_NEAR(size->moment(k, middle)/exact, part/exact, 5e-4);
+
+            if (size->max() > size->min())
+            {
+                const double median = size->quantileOf(k, 0.5);
+
+                EXPECT_NEAR(size->moment(k, median)/exact, 0.5, 5e-4);
+            }
+        }
+    }
+
+    // By quadrature
+    const rootSize root;
+
+    EXPECT_NEAR(root.moment(1), 1e-6*(1 + 2.0/3), 1e-10);
+    EXPECT_NEAR(root.moment(0), 1, 1e-12);
+    EXPECT_NEAR(root.quantileOf(0, 0.25), 1.5e-6, 1e-13);
+    EXPECT_NEAR(root.moment(1, 1.5e-6), 1e-6*(0.25 + 0.125*2/3), 1e-11);
+}
+
+
+TEST(table, volumesBecomeNumbers)
+{
+    // Of equal volumes in two intervals
+    const auto size = table
+    (
+        "lower;upper;volume\n1;2;50\n4;8;50\n",
+        "separator semicolon; unit 1e-6; columns (lower upper volume);"
+    );
+
+    // The mean cube of either, with a uniform logarithm
+    const double cube1 = 7e-18/(3*std::log(2.0));
+    const double cube2 = 64*cube1;
+    const double N1 = 1/cube1, N2 = 1/cube2;
+
+    EXPECT_NEAR(size->moment(0, 3e-6), N1/(N1 + N2), 1e-12);
+    EXPECT_NEAR(size->moment(3, 3e-6)/size->moment(3), 0.5, 1e-12);
+    EXPECT_NEAR(size->moment(3)*(N1 + N2), 2, 1e-12);
+    EXPECT_EQ(size->min(), 1e-6);
+    EXPECT_EQ(size->max(), 8e-6);
+}
+
+
+TEST(table, allKindsOfColumnsSayTheSame)
+{
+    const auto reference = table
+    (
+        "1,2,30\n2,4,50\n4,6,20\n", "unit 1e-6; columns (lower upper volume);"
+    );
+
+    const double log2 = std::log10(2.0);
+
+    const struct { std::string text, entries; } same[] =
+    {
+        {"1e-6,2e-6,30\n2e-6,4e-6,50\n4e-6,6e-6,20\n",
+         "columns (lower upper mass);"},
+        // A line of text, further columns, decimal commas, tabs
+        {"Instrument 7\nx;y;\n1;1,0;2,0;30,0;\n2;2;4;50\n3;4;6;20;\n",
+         "unit 1e-6; separator semicolon; decimalComma yes;"
+         " columns (skip lower upper volume);"},
+        {"1\t2\t30\n2\t4\t50\n4\t6\t20\n",
+         "unit 1e-6; separator tab; columns (lower upper volume);"},
+        {"  1   2  30\n  2   4  50\n  4   6  20\n",
+         "unit 1e-6; separator \" \"; columns (lower upper volume);"},
+        {"1,2,30\n2,4,80\n4,6,100\n",
+         "unit 1e-6; columns (lower upper volumeUndersize);"},
+        {"1,0\n2,0.3\n4,0.8\n6,1\n",
+         "unit 1e-6; columns (diameter massUndersize);"},
+        {"1,2," + std::to_string(30/log2) + "\n2,4," + std::to_string(50/log2)
+       + "\n4,6," + std::to_string(20/std::log10(1.5)) + "\n",
+         "unit 1e-6; columns (lower upper dVdlogd);"}
+    };
+
+    for (const auto& one : same)
+    {
+        SCOPED_TRACE(one.text + one.entries);
+
+        const auto size = table(one.text, one.entries);
+
+        for (double p = 0.005; p < 1; p += 0.01)
+        {
+            EXPECT_NEAR
+            (
+                size->quantile(p)/reference->quantile(p), 1, 1e-6
+            ) << p;
+        }
+    }
+
+    expectSame
+    (
+        *table
+        (
+            "1,2,30\n2,4,50\n4,6,20\n",
+            "unit 1e-6; columns (lower upper number);"
+        ),
+        *make
+        (
+            "type histogram;"
+            " bins ((1e-6 2e-6 30) (2e-6 4e-6 50) (4e-6 6e-6 20));"
+        )
+    );
+    expectSame
+    (
+        *table
+        (
+            "1,0\n2,30\n4,80\n6,100\n",
+            "unit 1e-6; columns (diameter numberUndersize);"
+        ),
+        *make
+        (
+            "type histogram;"
+            " bins ((1e-6 2e-6 30) (2e-6 4e-6 50) (4e-6 6e-6 20));"
+        )
+    );
+}
+
+
+TEST(table, middlesHaveTheirIntervalsBetweenThem)
+{
+    // As a mobility spectrometer writes it: equal intervals of the logarithm
+    expectSame
+    (
+        *table
+        (
+            "1,10\n2,20\n4,10\n",
+            "unit 1e-6; columns (diameter dNdlogd);"
+        ),
+        *table
+        (
+            "0.70710678118654752,1.41421356237309505,10\n"
+            "1.41421356237309505,2.8284271247461901,20\n"
+            "2.8284271247461901,5.6568542494923802,10\n",
+            "unit 1e-6; columns (lower upper number);"
+        )
+    );
+}
+
+
+TEST(table, withinAnIntervalItIsAsAskedFor)
+{
+    const std::string text("1,4,1\n");
+    const std::string entries("unit 1e-6; columns (lower upper volume); ");
+
+    // The geometric mean halves the numbers, or the volume
+    const auto numbers = table(text, entries + "within logUniform;");
+    const auto volumes = table(text, entries + "within logUniformVolume;");
+
+    EXPECT_NEAR(numbers->quantile(0.5), 2e-6, 1e-18);
+    EXPECT_NEAR(numbers->moment(0, 2e-6), 0.5, 1e-12);
+    EXPECT_NEAR(volumes->moment(3, 2e-6)/volumes->moment(3), 0.5, 1e-12);
+    EXPECT_NEAR(volumes->quantileOf(3, 0.5), 2e-6, 1e-18);
+
+    // dN goes as d^-4 dd
+    EXPECT_NEAR
+    (
+        volumes->moment(0, 2e-6), (1 - 1.0/8)/(1 - 1.0/64), 1e-12
+    );
+    EXPECT_NEAR(volumes->quantile((1 - 1.0/8)/(1 - 1.0/64)), 2e-6, 1e-16);
+}
+
+
+TEST(table, samplesHaveTheMomentsOfTheTable)
+{
+    // What a laser instrument says of a powder, in volumes
+    const double edges[] = {0.5, 0.8, 1.3, 2, 3.2, 5, 8};
+    const double volumes[] = {2, 6, 15, 30, 33, 14};
+    std::string text;
+
+    for (int i = 0; i < 6; ++i)
+    {
+        text +=
+            std::to_string(edges[i]) + "," + std::to_string(edges[i + 1]) + ","
+          + std::to_string(volumes[i]) + "\n";
+    }
+
+    for (const char* within : {"logUniform", "logUniformVolume"})
+    {
+        const auto size = table
+        (
+            text,
+            std::string("unit 1e-6; columns (lower upper volume); within ")
+          + within + ";"
+        );
+
+        const int n = 200000;
+        const auto d = sample(*size, n);
+
+        // Shares of the volume below each edge, against the table itself
+        for (int k = 1; k < 6; ++k)
+        {
+            double below = 0;
+
+            for (int i = 0; i < k; ++i)
+            {
+                below += volumes[i]/100;
+            }
+
+            double sum = 0, sumBelow = 0, squares = 0;
+
+            for (const double x : d)
+            {
+                const double v = x*x*x;
+
+                sum += v;
+                sumBelow += x < 1e-6*edges[k] ? v : 0;
+            }
+            for (const double x : d)
+            {
+                const double v = x*x*x;
+                const double r = (x < 1e-6*edges[k] ? v : 0) - below*v;
+
+                squares += r*r;
+            }
+
+            EXPECT_NEAR(sumBelow/sum, below, 4*std::sqrt(squares)/sum)
+                << within << ' ' << edges[k];
+        }
+
+        // Mean powers, with their standard errors
+        for (const int k : {1, 2, 3})
+        {
+            double sum = 0, squares = 0;
+
+            for (const double x : d)
+            {
+                sum += std::pow(x, k);
+                squares += std::pow(x, 2*k);
+            }
+
+            const double mean = sum/n;
+            const double error = std::sqrt((squares/n - mean*mean)/n);
+
+            EXPECT_NEAR(size->moment(k), mean, 4*error) << within << k;
+        }
+    }
+}
+
+
+TEST(table, canBeCutOff)
+{
+    const auto size = table
+    (
+        "1,2,10\n2,4,20\n4,8,10\n",
+        "unit 1e-6; columns (lower upper number); min 1.41421356237309505e-6;"
+        " max 4e-6;"
+    );
+
+    EXPECT_NEAR(size->min(), 1.41421356237309505e-6, 1e-18);
+    EXPECT_NEAR(size->max(), 4e-6, 1e-18);
+    EXPECT_NEAR(size->moment(0, 2e-6), 0.2, 1e-9);
+}
+
+
+TEST(table, badEntriesAreRefused)
+{
+    const std::string text("lower,upper,volume\n1,2,30\n2,4,50\n");
+    const std::string columns("columns (lower upper volume);");
+    const std::string ok("unit 1e-6; " + columns);
+
+    const struct { std::string text, entries, because; } all[] =
+    {
+        {text, ok, ""},
+        {text, columns, "no particle is a metre large"},
+        {text, "unit 1e-6;", "columns"},
+        {text, "unit 1e-6; columns (lower upper);", "one of the amounts"},
+        {text, "unit 1e-6; columns (lower volume skip);", "either lower and"},
+        {text, "unit 1e-6; columns (lower upper diameter volume);", "either"},
+        {text, "unit 1e-6; columns (lower upper vol);", "'vol'"},
+        {text, "unit 1e-6; columns (lower upper volume mass);", "second one"},
+        {text, ok + "separator bar;", "comma, semicolon, tab or space"},
+        {text, ok + "separator \";\";", "no line of 3 numbers"},
+        {text, ok + "separator ,;", ""},
+        {text, ok + "decimalComma yes;", "cannot separate"},
+        {text, ok + "within flat;", "logUniform"},
+        {text, ok + "min 3e-6; max 2e-6;", "less than 'max'"},
+        {text, ok + "min 5e-6;", "add up to 0"},
+        {text, ok + "mim 5e-6;", "mim"},
+        {"1,2,30\n2,4\n", ok, "2 columns instead of 3"},
+        {"1,2,30\n2,4,x\n", ok, "'x' is not a finite number"},
+        {"1,2,30\n1.5,4,5\n", ok, "must rise"},
+        {"a,b,c\n", ok, "no line of 3 numbers"},
+        {"1,10\n2,20\n", "unit 1e-6; columns (diameter volumeUndersize);",
+         "not zero"},
+        {"1,0\n2,20\n3,19\n",
+         "unit 1e-6; columns (diameter volumeUndersize);", "must not fall"},
+        {"2,0\n1,20\n", "unit 1e-6; columns (diameter volumeUndersize);",
+         "rise"},
+        {"1,5\n", "unit 1e-6; columns (diameter volume);", "no interval"}
+    };
+
+    for (const auto& one : all)
+    {
+        const std::string message(tableComplaint(one.text, one.entries));
+
+        SCOPED_TRACE(one.text + one.entries + " gives: " + message);
+
+        if (one.because.empty())
+        {
+            EXPECT_EQ(message, "");
+        }
+        else
+        {
+            EXPECT_NE(message.find(one.because), std::string::npos);
+        }
+    }
+}
+
+
+TEST(RosinRammler, volumesAreThoseOfTheFormula)
+{
+    const double d63 = 2e-5, n = 1.5, min = 1e-6, max = 6e-5;
+    const auto size =
+        make("type RosinRammler; d63 2e-5; n 1.5; min 1e-6; max 6e-5;");
+
+    const auto above = [&](const double d)
+    {
+        return std::exp(-std::pow(d/d63, n));
+    };
+
+    for (double d = 1.5e-6; d < max; d *= 1.3)
+    {
+        EXPECT_NEAR
+        (
+            size->moment(3, d)/size->moment(3),
+            (above(min) - above(d))/(above(min) - above(max)),
+            1e-5
+        ) << d;
+    }
+}
+
+
+TEST(RosinRammler, badEntriesAreRefused)
+{
+    const std::string ok("type RosinRammler; d63 2e-5; ");
+
+    EXPECT_EQ(complaint(ok + "n 1.5; min 1e-6; max 6e-5;"), "");
+    // No floating-point errors far out
+    EXPECT_EQ(complaint(ok + "n 1000; min 1e-9; max 0.9;"), "");
+
+    expectRefused(ok + "min 1e-6; max 6e-5;", "'n'");
+    expectRefused(ok + "n 0; min 1e-6; max 6e-5;", "positive");
+    expectRefused(ok + "n 1.5; min 6e-5; max 1e-6;", "less than 'max'");
+    expectRefused(ok + "n 1.5; min 1e-2; max 0.1;", "one in a million");
+}

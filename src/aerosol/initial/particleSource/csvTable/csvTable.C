@@ -19,16 +19,17 @@
 namespace
 {
 
+bool isBlank(const unsigned char c)
+{
+    return std::isspace(c);
+}
+
+
 std::string withoutBlanks(std::string text)
 {
     text.erase
     (
-        std::remove_if
-        (
-            text.begin(),
-            text.end(),
-            [](const unsigned char c) { return std::isspace(c); }
-        ),
+        std::remove_if(text.begin(), text.end(), isBlank),
         text.end()
     );
 
@@ -36,24 +37,46 @@ std::string withoutBlanks(std::string text)
 }
 
 
-std::vector<std::string> cells(const std::string& line)
+//- The cells between the separators, without blanks; a blank as a separator
+//  stands for any number of them
+std::vector<std::string> cells
+(
+    const std::string& line,
+    const char separator = ','
+)
 {
-    std::vector<std::string> parts;
-    std::string::size_type begin = 0;
+    std::vector<std::string> parts(1);
 
-    while (true)
+    for (const char c : line)
     {
-        const auto end = line.find(',', begin);
-
-        parts.push_back(line.substr(begin, end - begin));
-
-        if (end == std::string::npos)
+        if (c == separator || (isBlank(separator) && isBlank(c)))
         {
-            return parts;
+            parts.emplace_back();
         }
-
-        begin = end + 1;
+        else if (!isBlank(c))
+        {
+            parts.back() += c;
+        }
     }
+
+    if (separator == ' ')
+    {
+        parts.erase
+        (
+            std::remove(parts.begin(), parts.end(), std::string()),
+            parts.end()
+        );
+    }
+
+    return parts;
+}
+
+
+bool toNumber(const std::string& text, Foam::scalar& number)
+{
+    return
+        text.find_first_not_of("+-.0123456789eE") == std::string::npos
+     && Foam::readScalar(text, number);
 }
 
 
@@ -83,13 +106,12 @@ std::string list(const std::vector<std::string>& headers)
 } // End anonymous namespace
 
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::aerosol::csvTable::csvTable
+std::vector<std::string> Foam::aerosol::csvTable::read
 (
     const dictionary& dict,
-    const word& key,
-    const std::vector<std::string>& headers
+    const word& key
 )
 {
     requireValue(dict, key);
@@ -119,37 +141,87 @@ Foam::aerosol::csvTable::csvTable
             << exit(FatalIOError);
     }
 
-    const auto refuse = [&](const label line, const std::string& why)
-    {
-        FatalIOError(FUNCTION_NAME, __FILE__, __LINE__, file_, line)
-            << why.c_str()
-            << exit(FatalIOError);
-    };
-
-    // Numbers too large for a double are refused below
-    const runGuard::reading numbers;
-
-    std::size_t columns = 0;
+    std::vector<std::string> lines;
     std::string text;
 
-    for (label line = 1; std::getline(stream, text); ++line)
+    while (std::getline(stream, text))
     {
-        if (line == 1)
+        if (lines.empty())
         {
             text = withoutMark(text);
         }
 
-        text = withoutBlanks(text.substr(0, text.find('#')));
+        text = text.substr(0, text.find('#'));
 
         if (text.find('\0') != std::string::npos)
         {
             refuse
             (
-                line,
+                lines.size() + 1,
                 "This is no plain text (it may be UTF-16): save the table as"
                 " CSV in UTF-8"
             );
         }
+
+        lines.push_back(text);
+    }
+
+    return lines;
+}
+
+
+void Foam::aerosol::csvTable::refuse
+(
+    const label line,
+    const std::string& why
+) const
+{
+    FatalIOError(FUNCTION_NAME, __FILE__, __LINE__, file_, line)
+        << why.c_str()
+        << exit(FatalIOError);
+}
+
+
+void Foam::aerosol::csvTable::addRow
+(
+    const std::vector<std::string>& cells,
+    const label line
+)
+{
+    std::vector<scalar> row(cells.size());
+
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+        if (!toNumber(cells[i], row[i]))
+        {
+            refuse(line, "'" + visible(cells[i]) + "' is not a finite number");
+        }
+    }
+
+    rows_.push_back(row);
+    lines_.push_back(line);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::aerosol::csvTable::csvTable
+(
+    const dictionary& dict,
+    const word& key,
+    const std::vector<std::string>& headers
+)
+{
+    // Numbers too large for a double are refused below
+    const runGuard::reading numbers;
+
+    std::size_t columns = 0;
+    label line = 0;
+
+    for (const std::string& raw : read(dict, key))
+    {
+        ++line;
+        const std::string text(withoutBlanks(raw));
 
         if (text.empty())
         {
@@ -184,27 +256,7 @@ Foam::aerosol::csvTable::csvTable
             );
         }
 
-        std::vector<scalar> row(columns);
-
-        for (std::size_t i = 0; i < columns; ++i)
-        {
-            if
-            (
-                parts[i].find_first_not_of("+-.0123456789eE")
-             != std::string::npos
-             || !readScalar(parts[i], row[i])
-            )
-            {
-                refuse
-                (
-                    line,
-                    "'" + visible(parts[i]) + "' is not a finite number"
-                );
-            }
-        }
-
-        rows_.push_back(row);
-        lines_.push_back(line);
+        addRow(parts, line);
     }
 
     if (rows_.empty())
@@ -213,6 +265,83 @@ Foam::aerosol::csvTable::csvTable
             << "There are no numbers in " << file_ << ", which entry '" << key
             << "' of " << dict.name() << " names; it must hold a line "
             << list(headers).c_str() << " and below it the numbers"
+            << exit(FatalIOError);
+    }
+}
+
+
+Foam::aerosol::csvTable::csvTable
+(
+    const dictionary& dict,
+    const word& key,
+    const std::size_t nColumns,
+    const format& style
+)
+{
+    const runGuard::reading numbers;
+
+    label line = 0;
+
+    for (const std::string& text : read(dict, key))
+    {
+        ++line;
+
+        std::vector<std::string> parts(cells(text, style.separator));
+
+        if (style.decimalComma)
+        {
+            for (std::string& part : parts)
+            {
+                std::replace(part.begin(), part.end(), ',', '.');
+            }
+        }
+
+        if (parts.size() == nColumns + 1 && parts.back().empty())
+        {
+            parts.pop_back();
+        }
+
+        if (withoutBlanks(text).empty())
+        {
+            continue;
+        }
+
+        scalar number;
+
+        if
+        (
+            rows_.empty()
+         && !(parts.size() == nColumns && toNumber(parts.front(), number))
+        )
+        {
+            text_.push_back(text);
+            continue;
+        }
+
+        if (parts.size() != nColumns)
+        {
+            refuse
+            (
+                line,
+                "There are " + std::to_string(parts.size())
+              + " columns instead of " + std::to_string(nColumns)
+              + ", the number of names in 'columns'; a column that is not"
+                " needed is called skip there"
+            );
+        }
+
+        addRow(parts, line);
+    }
+
+    if (rows_.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "There is no line of " << nColumns << " numbers in " << file_
+            << ", which entry '" << key << "' of " << dict.name()
+            << " names. Its last line is '"
+            << (text_.empty() ? "" : visible(text_.back()).c_str())
+            << "'; check 'separator', 'decimalComma' and 'columns', where a"
+            << " column that is not needed is called skip"
             << exit(FatalIOError);
     }
 }

@@ -5,13 +5,15 @@
 
 #include "distributionSource.H"
 #include "addToRunTimeSelectionTable.H"
+#include "checkedDictionary.H"
 #include "communicator.H"
-#include "checkedEntry.H"
 #include "domain.H"
 #include "neighbourList.H"
 
 #include <algorithm>
+#include <iomanip>
 #include <limits>
+#include <sstream>
 #include <unistd.h>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -36,43 +38,100 @@ namespace
 constexpr double leastBytes = 600;
 constexpr double usualBytes = 1250;
 
+//- Fraction of the mass above the largest particle from which on the log says
+//  so, and warns
+constexpr double leastLacking = 0.01;
+constexpr double muchLacking = 0.2;
+
+
+//- A vector of one element
+template<class Type>
+std::vector<Type> single(Type&& one)
+{
+    std::vector<Type> all;
+    all.push_back(std::move(one));
+
+    return all;
+}
+
 } // End anonymous namespace
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-int Foam::aerosol::distributionSource::count(const domain& region) const
+int Foam::aerosol::distributionSource::count
+(
+    const domain& region,
+    const population& all
+) const
 {
-    const bool byConcentration = dict_.found("numberConcentration");
+    const dictionary& dict = all.dict;
 
-    if (byConcentration == dict_.found("count"))
+    const wordList ways({"numberConcentration", "massConcentration", "count"});
+    word given;
+
+    for (const word& way : ways)
     {
-        FatalIOErrorInFunction(dict_)
-            << "Source distribution needs either 'numberConcentration' or"
-            << " 'count', but " << dict_.name() << " has "
-            << (byConcentration ? "both" : "neither")
+        if (dict.found(way) && !given.empty())
+        {
+            FatalIOErrorInFunction(dict)
+                << "The number of particles follows from one of " << ways
+                << ", but " << dict.name() << " has both '" << given
+                << "' and '" << way << "'"
+                << exit(FatalIOError);
+        }
+        if (dict.found(way))
+        {
+            given = way;
+        }
+    }
+
+    if (given.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "The number of particles follows from one of " << ways
+            << ", but " << dict.name() << " has neither of them"
             << exit(FatalIOError);
     }
 
     const scalar n =
-        byConcentration
+        given == "numberConcentration"
       ? std::round
         (
-            region.volume()
-           *readPositive(dict_, "numberConcentration", dimless/dimVolume)
+            region.volume()*readPositive(dict, given, dimless/dimVolume)
         )
-      : readPositive(dict_, "count", dimless);
+      : given == "massConcentration"
+      ? std::round
+        (
+            region.volume()*readPositive(dict, given, dimDensity)
+           /(all.density*EIGEN_PI/6*all.size->moment(3))
+        )
+      : readPositive(dict, given, dimless);
 
     if (n < 1 || n > std::numeric_limits<int>::max() || n != std::floor(n))
     {
-        FatalIOErrorInFunction(dict_)
+        FatalIOErrorInFunction(dict)
             << "The number of particles in the domain of volume "
             << region.volume() << " m3 is " << n
             << ", but it must be a whole number from 1 to "
-            << std::numeric_limits<int>::max() << "; change '"
-            << (byConcentration ? "numberConcentration" : "count")
-            << "' of " << dict_.name()
-            << (byConcentration ? " or the size of the domain" : "")
+            << std::numeric_limits<int>::max() << "; change '" << given
+            << "' of " << dict.name()
+            << (given == "count" ? "" : " or the size of the domain")
+            << exit(FatalIOError);
+    }
+
+    return static_cast<int>(n);
+}
+
+
+void Foam::aerosol::distributionSource::requireMemory(const scalar n) const
+{
+    if (n > std::numeric_limits<int>::max())
+    {
+        FatalIOErrorInFunction(dict_)
+            << "There are " << n << " particles, but there can be "
+            << std::numeric_limits<int>::max() << " at most; give "
+            << dict_.name() << " fewer, or a smaller domain"
             << exit(FatalIOError);
     }
 
@@ -89,9 +148,8 @@ int Foam::aerosol::distributionSource::count(const domain& region) const
             << label(n) << " particles need at least " << GB(each*leastBytes)
             << " GB of memory, but this computer has "
             << std::floor(1e-9*memory)
-            << "; change '"
-            << (byConcentration ? "numberConcentration" : "count")
-            << "' of " << dict_.name() << " or the size of the domain"
+            << "; change the concentration or the 'count' of " << dict_.name()
+            << " or the size of the domain"
             << exit(FatalIOError);
     }
 
@@ -102,8 +160,67 @@ int Foam::aerosol::distributionSource::count(const domain& region) const
             << GB(each*usualBytes) << " GB of memory, but this computer has "
             << std::floor(1e-9*memory) << endl;
     }
+}
 
-    return static_cast<int>(n);
+
+void Foam::aerosol::distributionSource::report
+(
+    const domain& region,
+    const population& all,
+    const particleArrays& particles,
+    const int begin,
+    const int end
+)
+{
+    const sizeDistribution& size = *all.size;
+
+    if (size.max() <= size.min())
+    {
+        return;
+    }
+
+    const scalars d = particles.d.segment(begin, end - begin);
+    const scalar n = end - begin;
+    const scalar largest = d.maxCoeff();
+
+    const scalar cubes = size.moment(3);
+    const scalar lacking = 1 - size.moment(3, largest)/cubes;
+
+    Info<< "The sample of " << all.dict.dictName() << " has "
+        << 100*d.cube().sum()/(n*cubes)
+        << " % of the mass of its distribution, whose median diameters are "
+        << size.quantileOf(0, 0.5) << " m by number and "
+        << size.quantileOf(3, 0.5) << " m by volume" << nl;
+
+    if (lacking < leastLacking)
+    {
+        return;
+    }
+
+    // Half of what lacks is in larger ones than this
+    const scalar rare = size.quantileOf(3, 1 - 0.5*lacking);
+    const scalar oneIn = 1/std::max(1 - size.moment(0, rare), VSMALL);
+
+    std::ostringstream os;
+
+    os  << std::setprecision(2) << 100*lacking
+        << " % of the mass of the distribution of "
+        << all.dict.dictName().c_str() << " is in particles above the largest"
+        << " one drawn, of " << largest << " m; one of " << rare
+        << " m or more needs " << oneIn << " particles, the domain has "
+        << std::setprecision(6) << n;
+
+    if (lacking > muchLacking)
+    {
+        IOWarningInFunction(all.dict)
+            << os.str().c_str() << ": what the coarse ones would collect is"
+            << " not computed. Take a larger domain, or a 'max' that says"
+            << " where the distribution ends" << endl;
+    }
+    else
+    {
+        Info<< os.str().c_str() << nl;
+    }
 }
 
 
@@ -162,21 +279,70 @@ std::vector<int> Foam::aerosol::distributionSource::inTheWay
 }
 
 
+Foam::aerosol::distributionSource::population
+Foam::aerosol::distributionSource::read
+(
+    const dictionary& dict,
+    const scalar density,
+    const wordList& besides
+)
+{
+    wordList valid
+    ({
+        "density", "size", "numberConcentration", "massConcentration", "count",
+        "sample"
+    });
+    valid.append(besides);
+
+    requireOnly(dict, valid);
+
+    const word sample(valueOr<word>(dict, "sample", "random"));
+
+    if (sample != "random" && sample != "stratified")
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'sample' of " << dict.name() << " is '"
+            << visible(sample).c_str()
+            << "', but it must be random or stratified"
+            << exit(FatalIOError);
+    }
+
+    return
+    {
+        dict,
+        dict.found("density") || density < 0
+      ? readPositive(dict, "density", dimDensity)
+      : density,
+        sizeDistribution::New(dict.subDict("size")),
+        sample == "stratified"
+    };
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::aerosol::distributionSource::distributionSource(const dictionary& dict)
 :
     particleSource(dict),
-    size_(sizeDistribution::New(dict.subDict("size"))),
-    random_(readSeed(dict))
-{
-    requireOnly
+    populations_
     (
-        dict,
-        {"density", "source", "initialVelocity", "size",
-         "numberConcentration", "count", "seed"}
-    );
-}
+        single(read(dict, density_, {"source", "initialVelocity", "seed"}))
+    ),
+    random_(readSeed(dict))
+{}
+
+
+Foam::aerosol::distributionSource::distributionSource
+(
+    const dictionary& dict,
+    const scalar density,
+    std::vector<population>&& populations
+)
+:
+    particleSource(dict, density),
+    populations_(std::move(populations)),
+    random_(readSeed(dict))
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -187,7 +353,18 @@ void Foam::aerosol::distributionSource::create
     particleArrays& particles
 ) const
 {
-    const int n = count(region);
+    // Where each population ends
+    std::vector<int> ends;
+    scalar total = 0;
+
+    for (const population& all : populations_)
+    {
+        total += count(region, all);
+        requireMemory(total);
+        ends.push_back(static_cast<int>(total));
+    }
+
+    const int n = ends.back();
 
     const vector span(region.bounds().span());
 
@@ -201,28 +378,47 @@ void Foam::aerosol::distributionSource::create
             << exit(FatalIOError);
     }
 
-    if (size_->max() > cmptMin(span))
+    for (const population& all : populations_)
     {
-        FatalIOErrorInFunction(dict_)
-            << "The largest particles, of diameter " << size_->max()
-            << " m, do not fit into the domain, whose edges are " << span
-            << " m; the diameters in " << dict_.name() << " are in metres"
-            << exit(FatalIOError);
+        if (all.size->max() > cmptMin(span))
+        {
+            FatalIOErrorInFunction(all.dict)
+                << "The largest particles, of diameter " << all.size->max()
+                << " m, do not fit into the domain, whose edges are " << span
+                << " m; the diameters in " << all.dict.name()
+                << " are in metres"
+                << exit(FatalIOError);
+        }
     }
 
     start(particles, n);
 
-    for (int i = 0; i < n; ++i)
+    int begin = 0;
+
+    for (std::size_t k = 0; k < populations_.size(); ++k)
     {
-        particles.d(i) = size_->quantile
-        (
-            random_.uniforms(i, 0, counterRandom::stream::size)[0]
-        );
+        const population& all = populations_[k];
+        const int end = ends[k];
+
+        for (int i = begin; i < end; ++i)
+        {
+            const scalar u =
+                random_.uniforms(i, 0, counterRandom::stream::size)[0];
+
+            particles.d(i) = all.size->quantile
+            (
+                all.stratified ? (i - begin + u)/(end - begin) : u
+            );
+            particles.m(i) = all.density*particles.volume(i);
+        }
+
+        report(region, all, particles, begin, end);
+
+        begin = end;
     }
 
-    setMasses(particles);
-
-    const scalar fraction = particles.m.sum()/(density_*region.volume());
+    const scalar fraction =
+        EIGEN_PI/6*particles.d.cube().sum()/region.volume();
 
     if (fraction > 0.1)
     {

@@ -48,8 +48,18 @@ void Foam::aerosol::particleSource::setMasses(particleArrays& particles) const
 
 Foam::aerosol::particleSource::particleSource(const dictionary& dict)
 :
+    particleSource(dict, readPositive(dict, "density", dimDensity))
+{}
+
+
+Foam::aerosol::particleSource::particleSource
+(
+    const dictionary& dict,
+    const scalar density
+)
+:
     dict_(dict),
-    density_(readPositive(dict, "density", dimDensity))
+    density_(density)
 {
     const word velocity
     (

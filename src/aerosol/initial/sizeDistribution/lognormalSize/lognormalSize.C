@@ -111,4 +111,30 @@ Foam::scalar Foam::aerosol::lognormalSize::quantile(const scalar p) const
 }
 
 
+Foam::scalar Foam::aerosol::lognormalSize::moment
+(
+    const int k,
+    const scalar d
+) const
+{
+    // Fraction of a standard normal distribution, from the end where it is
+    // small
+    const auto between = [](const scalar a, const scalar b)
+    {
+        return
+            a > 0
+          ? normalFraction(-a) - normalFraction(-b)
+          : normalFraction(b) - normalFraction(a);
+    };
+
+    const scalar shift = k*sigma_;
+    const scalar lower = z(min_);
+    const scalar upper = z(std::clamp(d, min_, max_));
+
+    return
+        std::pow(median_, k)*std::exp(0.5*shift*shift)
+       *between(lower - shift, upper - shift)/between(lower, z(max_));
+}
+
+
 // ************************************************************************* //
