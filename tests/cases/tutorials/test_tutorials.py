@@ -15,6 +15,7 @@ SHORTER = {
     "aerosolAttenuation": {"20.0": "4.0"},
     "antinodeAndNode": {"20.0": "1.0"},
     "bestFrequency": {},  # smaller instead
+    "ductAsh": {"140.0": "2.0"},
     "flyAshChamber": {
         "19.999": "0.999", "60.001": "2.001", "59.999": "1.999"
     },
@@ -29,6 +30,7 @@ PICTURES = {
     "aerosolAttenuation": {"aerosolAttenuation.png"},
     "antinodeAndNode": {"antinodeAndNode.png"},
     "bestFrequency": {"bestFrequency.png"},
+    "ductAsh": {"ductAsh.png"},
     "flyAshChamber": {"soundLevel.png", "agglomeration.png", "cloud.png"},
     "isolatedParticle": {"isolatedParticle.png"},
     "resonantChamber": {"resonantChamber.png"},
