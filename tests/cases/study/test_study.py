@@ -210,7 +210,7 @@ show (number efficiency);
 """)
     said = study(environment, case, "--dry-run")
     assert "8 runs" in said and "quiet: constant/aerosolProperties:wake" in said
-    assert not calls(environment)
+    assert not calls(environment) and not (case/"study").exists()
     said = study(environment, case)
     assert "frequency  model  seeds" in said
     names = [row["model"] for row in table(case/"study"/"runs.csv")]
