@@ -330,6 +330,7 @@ void Foam::aerosol::aerosolCloud::tabulate(const bool last)
             inChamber(),
             domain_->volume(),
             collisions_.count(),
+            timeStepping_->counters(),
             last
         );
     }
@@ -451,44 +452,62 @@ void Foam::aerosol::aerosolCloud::evolve()
     }
 
     log_.beginStep();
-    sound_.follow(end - h, h);
+
+    costTable& cost = tables_.cost();
+    using watch = costTable::watch;
+
+    {
+        const watch gas(cost, costTable::gas);
+        sound_.follow(end - h, h);
+    }
 
     domainCheck_.requirePeriodicSound(end);
 
     if (coupling_)
     {
+        const watch coupling(cost, costTable::coupling);
         coupling_->before(particles_, h);
     }
 
     ++step_;
     reached_ = end;
 
-    timeStepping_->advance(particles_, {step_, end - h, h});
+    {
+        const watch particles(cost, costTable::particles);
+        timeStepping_->advance(particles_, {step_, end - h, h});
+    }
 
     if (coupling_)
     {
+        const watch coupling(cost, costTable::coupling);
         coupling_->after(particles_);
     }
 
-    const bool broken = fragmentation_.apply
-    (
-        particles_,
-        collisions_.takeImpacts(),
-        motion_,
-        sound_,
-        *domain_,
-        end,
-        h,
-        step_
-    );
+    bool broken = false;
+    {
+        const watch breakages(cost, costTable::breakages);
+        broken = fragmentation_.apply
+        (
+            particles_,
+            collisions_.takeImpacts(),
+            motion_,
+            sound_,
+            *domain_,
+            end,
+            h,
+            step_
+        );
+    }
 
     if (coupling_)
     {
+        const watch coupling(cost, costTable::coupling);
         announce();
     }
 
     if (broken || mesh_.time().writeTime())
     {
+        const watch particles(cost, costTable::particles);
         timeStepping_->migrate(particles_);
     }
 

@@ -6,6 +6,7 @@
 #include "cloudModels.H"
 
 #include "checkedDictionary.H"
+#include "cloudTables.H"
 #include "describe.H"
 
 #include <iomanip>
@@ -40,11 +41,7 @@ const Foam::dictionary& Foam::aerosol::cloudModels::requireKnown
 
     requireDictionaries(dict, names());
 
-    requireOnly
-    (
-        optionalDict(dict, "report"),
-        {"interval", "sizeBins", "contacts", "breakages"}
-    );
+    requireOnly(optionalDict(dict, "report"), cloudTables::entries());
 
     return dict;
 }

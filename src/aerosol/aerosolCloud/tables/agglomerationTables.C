@@ -6,9 +6,11 @@
 #include "agglomerationTables.H"
 
 #include "checkedDictionary.H"
+#include "mathematicalConstants.H"
 #include "tableFolder.H"
 #include "unitConversion.H"
 
+#include <cmath>
 #include <limits>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -18,7 +20,8 @@ Foam::aerosol::agglomerationTables::agglomerationTables
     const tableFolder& folder,
     const dictionary& sizeBins,
     const bool withContacts,
-    const bool withBreakages
+    const bool withBreakages,
+    const bool withDistributions
 )
 :
     edges_
@@ -71,6 +74,18 @@ Foam::aerosol::agglomerationTables::agglomerationTables
             {
                 "time_s", "id", "d_m", "primaries", "newId", "newD_m",
                 "newPrimaries"
+            }
+        );
+    }
+    if (withDistributions)
+    {
+        distributions_ = folder.states
+        (
+            "distributions",
+            {
+                "time_s", "lower_m", "upper_m", "number_per_m3",
+                "volume_m3_per_m3", "dN_dlogd_per_m3", "dV_dlogd_m3_per_m3",
+                "numberShareBelow", "volumeShareBelow"
             }
         );
     }
@@ -150,7 +165,8 @@ void Foam::aerosol::agglomerationTables::writeRow
 void Foam::aerosol::agglomerationTables::writeSizes
 (
     const scalar time,
-    const particleArrays& all
+    const particleArrays& all,
+    const scalar volume
 )
 {
     if (!sizes_)
@@ -176,6 +192,50 @@ void Foam::aerosol::agglomerationTables::writeSizes
     }
 
     sizes_->flush();
+
+    if (distributions_)
+    {
+        writeDistributions(time, all, volume);
+    }
+}
+
+
+void Foam::aerosol::agglomerationTables::writeDistributions
+(
+    const scalar time,
+    const particleArrays& all,
+    const scalar volume
+)
+{
+    using constant::mathematical::pi;
+
+    const scalars one(scalars::Ones(all.size()));
+    const scalars cube(pi/6*all.d.cube());
+    const scalars N = aerosolStatistics::histogram(all.d, edges_, one);
+    const scalars V = aerosolStatistics::histogram(all.d, edges_, cube);
+
+    const scalar allN = max(N.sum(), SMALL);
+    const scalar allV = max(V.sum(), VSMALL);
+    scalar belowN = N(0);
+    scalar belowV = V(0);
+
+    for (Eigen::Index k = 1; k < edges_.size(); ++k)
+    {
+        const scalar decades = std::log10(edges_(k)/edges_(k - 1));
+
+        belowN += N(k);
+        belowV += V(k);
+
+        *distributions_
+            << time << edges_(k - 1) << edges_(k)
+            << N(k)/volume << V(k)/volume
+            << N(k)/volume/decades << V(k)/volume/decades
+            << belowN/allN << belowV/allV;
+
+        distributions_->endRow();
+    }
+
+    distributions_->flush();
 }
 
 

@@ -6,7 +6,7 @@
 #include "cloudTables.H"
 
 #include "aerosolStatistics.H"
-#include "checkedEntry.H"
+#include "checkedDictionary.H"
 #include "functionObject.H"
 #include "fvMesh.H"
 #include "Switch.H"
@@ -40,11 +40,23 @@ Foam::aerosol::cloudTables::cloudTables
     nextRow_(0),
     lastRow_(-VGREAT),
     initialNumber_(0),
-    initialNumberPM25_(0)
+    initialNumberPM25_(0),
+    quantities_(dict),
+    withCost_(valueOr<Switch>(dict, "cost", true))
 {}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::wordList Foam::aerosol::cloudTables::entries()
+{
+    wordList names({"interval", "sizeBins", "contacts", "breakages", "cost"});
+
+    names.append(aerosolQuantities::entries());
+
+    return names;
+}
+
 
 void Foam::aerosol::cloudTables::start(const particleArrays& particles)
 {
@@ -90,8 +102,30 @@ void Foam::aerosol::cloudTables::open
 
     files_.reset
     (
-        new agglomerationTables(folder, sizeBins_, contacts_, breakages_)
+        new agglomerationTables
+        (
+            folder,
+            sizeBins_,
+            contacts_,
+            breakages_,
+            quantities_.wanted("distributions")
+        )
     );
+
+    std::vector<std::string> columns({"time_s"});
+    for (const std::string& column : quantities_.names())
+    {
+        columns.push_back(column);
+    }
+    if (columns.size() > 1)
+    {
+        quantitiesFile_ = folder.states("quantities", columns);
+    }
+
+    if (withCost_)
+    {
+        cost_.open(folder);
+    }
 }
 
 
@@ -112,11 +146,19 @@ void Foam::aerosol::cloudTables::add
     const particleArrays& all,
     const scalar volume,
     const std::int64_t contacts,
+    const stepCounters& done,
     const bool last
 )
 {
     const Time& time = mesh_.time();
     const scalar now = time.value();
+
+    if (withCost_ && time.timeIndex() != time.startTimeIndex())
+    {
+        cost_.write(now, done);
+    }
+
+    const costTable::watch watch(cost_, costTable::tables);
 
     files_->writeRow
     (
@@ -127,6 +169,19 @@ void Foam::aerosol::cloudTables::add
         volume,
         contacts
     );
+
+    if (quantitiesFile_)
+    {
+        tableFile& row = *quantitiesFile_;
+
+        row << now;
+        for (const auto& quantity : quantities_.of(all, volume))
+        {
+            row << quantity.second;
+        }
+        row.endRow();
+        row.flush();
+    }
 
     lastRow_ = now;
 
@@ -141,7 +196,7 @@ void Foam::aerosol::cloudTables::add
      || last
     )
     {
-        files_->writeSizes(now, all);
+        files_->writeSizes(now, all, volume);
     }
 }
 
@@ -152,6 +207,8 @@ void Foam::aerosol::cloudTables::add
     const std::vector<fragmentation::record>& breakages
 )
 {
+    const costTable::watch watch(cost_, costTable::tables);
+
     files_->writeContacts(contacts);
     files_->writeBreakages(breakages);
 }

@@ -354,7 +354,7 @@ TEST(agglomerationTables, sizesAreReadable)
         particlesOf({0.9e-6, 1e-6, 1e-6, 7.9e-6, 8e-6})
     );
 
-    tables.writeSizes(0.5, p);
+    tables.writeSizes(0.5, p, 1);
 
     const auto lines = c.lines("sizeDistribution.csv");
     ASSERT_EQ(lines.size(), 1u + 34);
@@ -376,6 +376,53 @@ TEST(agglomerationTables, sizesAreReadable)
     EXPECT_EQ(above[2], "inf");
     EXPECT_EQ(above[3], "1");
     EXPECT_EQ(std::stod(above[4]), p.m(4));
+}
+
+
+TEST(agglomerationTables, distributionsArePerDecade)
+{
+    temporaryFolder c;
+    agglomerationTables tables(c.tables(), someBins(), false, false, true);
+    const particleArrays p
+    (
+        particlesOf({0.5e-6, 1e-6, 1e-6, 7.9e-6, 8e-6})
+    );
+
+    tables.writeSizes(0.5, p, 2);
+
+    const auto lines = c.lines("distributions.csv");
+    ASSERT_EQ(lines.size(), 1u + 32);
+
+    const double decades = std::log10(8)/32;
+    const double V = 1e-3*p.m.sum();
+
+    const auto near = [&](const std::vector<double>& expected, const int line)
+    {
+        const auto row = values(lines[line]);
+        ASSERT_EQ(row.size(), 3 + expected.size());
+        for (unsigned k = 0; k < expected.size(); ++k)
+        {
+            EXPECT_NEAR(std::stod(row[3 + k])/expected[k], 1, 1e-12) << k;
+        }
+    };
+
+    const double two = 2e-3*p.m(1);
+    near
+    (
+        {
+            1, two/2, 1/decades, two/2/decades,
+            0.6, 1e-3*(p.m(0) + p.m(1) + p.m(2))/V
+        },
+        1
+    );
+    near
+    (
+        {
+            0.5, 0.5e-3*p.m(3), 0.5/decades, 0.5e-3*p.m(3)/decades,
+            0.8, 1 - 1e-3*p.m(4)/V
+        },
+        32
+    );
 }
 
 
