@@ -15,9 +15,13 @@ from studyPage import label_axis  # noqa: E402
 SMALL, LARGE, CONCENTRATION = 5e-6, 20e-6, 2.3e11
 SPL, DISSIPATION, END = 137, 20, 0.0625
 
-points = acousticDEM.csv("study/points.csv")
-(best,), (error,) = (acousticDEM.csv("study/optimum.csv")[name]
-                     for name in ("frequency", "frequency_error"))
+try:
+    points = acousticDEM.csv("study/points.csv")
+    optimum = acousticDEM.csv("study/optimum.csv")
+except acousticDEM.TableError as missing:
+    sys.exit(f"ERROR: {missing}: run Allrun first")
+
+(best,), (error,) = optimum["frequency"], optimum["frequency_error"]
 tau = smoluchowski.relaxation_time(np.array([SMALL, LARGE]))
 theory = 1/(2*np.pi*np.sqrt(tau.prod()))
 

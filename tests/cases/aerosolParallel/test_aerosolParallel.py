@@ -97,7 +97,7 @@ def test_is_that_of_one_rank(stepping, ranks):
 
     contacts = dict(serial[1])["contacts.csv"].count("\n") - 1
     print(contacts, "contacts")
-    assert contacts > 3
+    assert contacts > 0
 
     assert_same(serial, run_on(make(f"ranks{ranks}"), ranks))
 

@@ -63,7 +63,8 @@ BAD = {
     ),
     "twoNumbers": (
         AEROSOL, NUMBER, "numberConcentration 1e12; count 100;",
-        "either 'numberConcentration' or 'count', .* has both",
+        "from one of .*numberConcentration massConcentration count.* has both"
+        " 'numberConcentration' and 'count'",
     ),
     "rangeAndTolerance": (
         AEROSOL, r"range +20;", "range 20; tolerance 5e-3;",
@@ -71,7 +72,8 @@ BAD = {
     ),
     "noNumber": (
         AEROSOL, NUMBER, "",
-        "either 'numberConcentration' or 'count', .* has neither",
+        "from one of .*numberConcentration massConcentration count.* has"
+        " neither of them",
     ),
 
     # Out of range

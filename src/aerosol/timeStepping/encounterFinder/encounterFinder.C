@@ -152,6 +152,11 @@ void Foam::aerosol::encounterFinder::searchContacts
     {
         contacts_.findTouching(grid_, p.id.cast<double>(), x, reach);
     }
+    else
+    {
+        // No pairs, but as many particles as there are
+        contacts_.layer().set(p.size(), {});
+    }
 }
 
 
